@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tuftwave/math.hpp"
+
+namespace tuftwave {
+
+/// A place on a curve: the point, the unit tangent, and a unit normal that does not spin about the tangent.
+struct CurveFrame {
+    Vec3 point;
+    Vec3 tangent;
+    Vec3 normal;  ///< perpendicular to the tangent
+
+    Vec3 binormal() const { return cross(tangent, normal); }
+};
+
+/// A composite cubic Bezier through points, measured by arc length, with rotation-minimising frames.
+class Curve {
+  public:
+    /// @param points  at least 2, of which at least two are further apart than 1e-9 of the whole length; points
+    ///                nearer than that to the one before are merged into it
+    /// Cost O(points). Thread-safe. Deterministic.
+    /// Source: centripetal Catmull-Rom tangents (Yuksel et al. 2011); frames by double reflection (Wang et al. 2008).
+    explicit Curve(std::span<const Vec3> points);
+
+    /// Arc length from the first point to the last, metres.
+    double arc_length() const { return samples_.back().along; }
+
+    /// The frame at arc length `along`, clamped to the curve.
+    CurveFrame at(double along) const;
+
+    /// The angle the tangent turns through from the start up to `along`, radians, never falling.
+    double turning_until(double along) const;
+
+    /// Where the share `part` of length and turning together is reached, so that equal parts are shorter in bends.
+    /// @param part        0 to 1
+    /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
+    /// @return  arc length, metres
+    double along_at(double part, double turn_worth) const;
+
+    /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.
+    void face_away_from(const Vec3& center);
+
+    /// Whether two of `points` are far enough apart to make a curve.
+    static bool is_possible(std::span<const Vec3> points);
+
+  private:
+    struct Segment {
+        Vec3 b0, b1, b2, b3;  // Bezier control points
+
+        Vec3 point(double t) const;
+        Vec3 derivative(double t) const;
+        double arc(double t0, double t1) const;  // length between two parameters, by quadrature
+
+        /// The parameter in [t0, t1] with `wanted` metres between it and t0, of `whole` up to t1.
+        double parameter(double t0, double t1, double wanted, double whole) const;
+    };
+    struct Sample {
+        std::size_t segment;
+        double t;        // on the segment; where two segments meet, 1 on the first of them
+        double along;    // arc length up to here
+        double turning;  // angle turned up to here
+        CurveFrame frame;
+    };
+
+    void make_segments(std::span<const Vec3> points);
+    void measure(std::size_t segment);
+    void sample_up_to(std::size_t segment, double t, int halvings);
+    Vec3 tangent_at(std::size_t segment, double t, const Vec3& otherwise) const;
+    std::size_t sample_before(double along) const;
+
+    std::vector<Segment> segments_;
+    std::vector<Sample> samples_;
+};
+
+}  // namespace tuftwave

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tuftwave/curve.hpp"
+#include "tuftwave/head.hpp"
+#include "tuftwave/limits.hpp"
+#include "tuftwave/math.hpp"
+#include "tuftwave/profile.hpp"
+#include "tuftwave/result.hpp"
+#include "tuftwave/skeleton.hpp"
+
+namespace tuftwave {
+
+/// The outline of a cut across a tuft.
+enum class Section { kCircle, kEllipse };
+
+/// A stroke and its shape.
+struct Tuft {
+    std::string name;
+    std::vector<Vec3> points;  ///< the stroke: Q_1 on the scalp first, metres
+    double diameter = 40;      ///< d, 1 to 100, share of head.diameter_at_100 in percent
+    double widest_at = 40;     ///< p, 1 to 100, percent of the arc length
+    Taper taper = Taper::kSine;
+    Section section = Section::kCircle;
+    double flatness = 0;        ///< of an ellipse: 1 - thickness / diameter; the flat side faces the head
+    double twist_deg = 0;       ///< turn of the section from root to tip, degrees
+    double roll_deg = 0;        ///< turn of the section all along, degrees; 90 stands an ellipse on its edge
+    int joints = 6;             ///< bones of the tuft's chain
+    double phase = 0;           ///< radians, for motion
+    std::optional<int> cycles;  ///< waves per loop, for motion
+};
+
+/// How finely a tuft is meshed.
+struct MeshDetail {
+    double tolerance = 3e-4;   ///< largest distance between surface and mesh along the tuft, metres (0.3 mm)
+    std::optional<int> rings;  ///< this many rings per tuft, in place of the tolerance
+    int sides = 12;            ///< corners of a ring
+};
+
+/// @errors  too_few, too_many (points), not_finite, out_of_range, degenerate (no length; root at the head's center)
+Check check_tuft(const Tuft& tuft, const Head& head, const Limits& limits);
+Check check_detail(const MeshDetail& detail, const Limits& limits);
+
+/// One ring of a tuft, ready to be meshed.
+struct Ring {
+    CurveFrame frame;       ///< normal already turned by roll and twist
+    double along;           ///< share of the arc length
+    double half_width;      ///< along the frame's binormal, metres
+    double half_thickness;  ///< along the frame's normal, metres
+};
+
+/// A tuft cut into rings: everything about its mesh but the vertices.
+struct MeshPlan {
+    Vec3 root, tip;                      ///< the apexes of the two ends; the tip is the cap's middle where it is flat
+    Vec3 root_direction, tip_direction;  ///< unit, outward at the two ends
+    std::vector<Ring> rings;             ///< without the apexes
+    std::vector<float> reach;  ///< per ring and corner, the share of its distance from the middle that is kept where
+                               ///< the tuft bends more tightly than it is thick; empty where nothing is cut back
+    bool flat_tip = false;     ///< p = 100: a cap at full width
+    int sides = 0;
+    int joints = 0;  ///< bones of the chain that the vertices hang on
+
+    std::size_t vertex_count() const;
+    std::size_t index_count() const;
+};
+
+/// A tuft measured: how to mesh it, and its bones.
+struct PlannedTuft {
+    MeshPlan mesh;
+    Chain chain;
+};
+
+/// Measures a tuft and chooses its rings.
+/// @errors  those of check_tuft, too_many (rings)
+/// Cost O(points + rings). Thread-safe. Deterministic.
+Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits);
+
+/// Where a tuft's vertices go. Each span holds vertex_count() times its width; triangles are counter-clockwise from
+/// outside.
+struct MeshSpans {
+    std::span<float> positions;       ///< 3 per vertex, metres
+    std::span<float> normals;         ///< 3 per vertex, unit, outward
+    std::span<float> uvs;             ///< 2 per vertex: u around 0..1, v along the arc length 0..1
+    std::span<std::uint16_t> joints;  ///< 4 per vertex: bones of the chain, plus first_joint
+    std::span<float> weights;         ///< 4 per vertex, sum 1
+    std::uint16_t first_joint = 0;
+};
+
+/// Writes a planned tuft's vertices: closed, outward, finite.
+/// Cost O(vertices). Thread-safe for disjoint spans. Deterministic.
+void write_vertices(const MeshPlan& plan, const MeshSpans& out);
+
+/// Writes a planned tuft's triangles. @param first_vertex  added to every index
+void write_indices(const MeshPlan& plan, std::span<std::uint16_t> out, std::uint32_t first_vertex = 0);
+void write_indices(const MeshPlan& plan, std::span<std::uint32_t> out, std::uint32_t first_vertex = 0);
+
+/// A closed triangle mesh with its skin.
+struct Mesh {
+    std::vector<float> positions, normals, uvs, weights;
+    std::vector<std::uint16_t> joints;
+    std::vector<std::uint32_t> indices;
+};
+
+/// A planned tuft as a mesh of its own.
+Mesh to_mesh(const MeshPlan& plan);
+
+}  // namespace tuftwave

@@ -1,0 +1,131 @@
+#include "tuftwave/hairstyle.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace tuftwave {
+namespace {
+
+/// Tufts planned before their rings are counted: enough for any number of threads; at 4,096 rings of 96 bytes each they
+/// take 100 MB at most.
+constexpr std::size_t kTuftsAtOnce = 256;
+
+const Error kCancelled{ErrorCode::kCancelled, "", {}, "", {}, {}};
+
+std::string place_of_tuft(std::size_t i) { return "/tufts/" + std::to_string(i); }
+
+Check check_counts(const Hairstyle& hairstyle, const Limits& limits) {
+    if (Check wrong = check_count(hairstyle.tufts.size(), 1, limits.tufts, "/tufts")) return wrong;
+    std::size_t points = 0, joints = 0;
+    for (const Tuft& tuft : hairstyle.tufts) {
+        points += tuft.points.size();
+        joints += static_cast<std::size_t>(tuft.joints > 0 ? tuft.joints : 0);
+    }
+    const auto too_many = [](std::size_t count, std::size_t most, const std::string& what) {
+        return Error{ErrorCode::kTooMany,
+                     "/tufts",
+                     static_cast<double>(count),
+                     "at most " + std::to_string(most) + " " + what + " in all tufts",
+                     {},
+                     static_cast<double>(most)};
+    };
+    if (points > limits.points) return too_many(points, limits.points, "points");
+    if (joints > limits.joints) return too_many(joints, limits.joints, "joints");
+    return {};
+}
+
+/// Adds the tufts in [from, to) to the plan's counts.
+Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits& limits) {
+    for (std::size_t i = from; i < to; ++i) {
+        plan.vertices += plan.tufts[i].vertex_count();
+        plan.indices += plan.tufts[i].index_count();
+        plan.joints += static_cast<std::size_t>(plan.tufts[i].joints);
+    }
+    const auto too_many = [](std::size_t count, std::size_t most, const std::string& what) {
+        return Error{
+            ErrorCode::kTooMany,
+            "/mesh",
+            static_cast<double>(count),
+            "at most " + std::to_string(most) + " " + what + "; use a larger tolerance, fewer rings or fewer sides",
+            {},
+            static_cast<double>(most)};
+    };
+    if (plan.vertices > limits.vertices) return too_many(plan.vertices, limits.vertices, "vertices");
+    if (plan.indices / 3 > limits.triangles) return too_many(plan.indices / 3, limits.triangles, "triangles");
+    return {};
+}
+
+/// Plans the tufts in [from, to); of several that are wrong the first is named.
+Check plan_some_tufts(const Hairstyle& hairstyle, std::size_t from, std::size_t to, const Limits& limits,
+                      const ForEach& for_each, const std::stop_token& stop, HairPlan& plan) {
+    std::vector<Check> wrong(to - from);
+    for_each(to - from, [&](std::size_t job) {
+        if (stop.stop_requested()) return;
+        const std::size_t i = from + job;
+        Result<PlannedTuft> planned = plan_tuft(hairstyle.tufts[i], hairstyle.head, hairstyle.mesh, limits);
+        if (!planned) {
+            wrong[job] = within(place_of_tuft(i), planned.error());
+            return;
+        }
+        plan.tufts[i] = std::move(planned->mesh);
+        plan.chains[i] = std::move(planned->chain);
+    });
+    if (stop.stop_requested()) return kCancelled;
+    for (Check& error : wrong) {
+        if (error) return std::move(error);
+    }
+    return {};
+}
+
+/// Plans every tuft and counts what the mesh will be. Some at a time: rings take memory, and too many of them must be
+/// noticed before all have been made; always the same ones, so that the same tuft is named whoever does the work.
+Check plan_tufts(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each, const std::stop_token& stop,
+                 HairPlan& plan) {
+    const std::size_t count = hairstyle.tufts.size();
+    plan.tufts.resize(count);
+    plan.chains.resize(count);
+    for (std::size_t from = 0; from < count; from += kTuftsAtOnce) {
+        const std::size_t to = std::min(from + kTuftsAtOnce, count);
+        if (Check wrong = plan_some_tufts(hairstyle, from, to, limits, for_each, stop, plan)) return wrong;
+        if (Check wrong = count_mesh(plan, from, to, limits)) return wrong;
+    }
+    return {};
+}
+
+Result<HairMotion> plan_motion(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
+                               const std::stop_token& stop, const std::vector<Chain>& chains, Schedule schedule) {
+    auto moved = move_chains(chains, *hairstyle.motion, schedule, limits, for_each, stop);
+    if (!moved) {
+        Error error = moved.error();
+        if (error.field.starts_with("/chains")) error.field.replace(0, std::string("/chains").size(), "/tufts");
+        return error;
+    }
+    return HairMotion{std::move(schedule), std::move(moved).value()};
+}
+
+}  // namespace
+
+Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
+                                std::stop_token stop) {
+    if (Check wrong = check_counts(hairstyle, limits)) return *wrong;
+    if (Check wrong = check_head(hairstyle.head, limits)) return within("/head", *wrong);
+    if (Check wrong = check_detail(hairstyle.mesh, limits)) return within("/mesh", *wrong);
+    std::optional<Schedule> schedule;
+    if (hairstyle.motion) {
+        Result<Schedule> made = make_schedule(hairstyle.motion->timing, hairstyle.formulas, limits);
+        if (!made) return within("/motion/timing", made.error());
+        schedule = std::move(made).value();
+        if (Check wrong = check_motion(*hairstyle.motion, *schedule, limits)) return within("/motion", *wrong);
+    }
+
+    HairPlan plan;
+    if (Check wrong = plan_tufts(hairstyle, limits, for_each, stop, plan)) return *wrong;
+    if (schedule) {
+        Result<HairMotion> moved = plan_motion(hairstyle, limits, for_each, stop, plan.chains, std::move(*schedule));
+        if (!moved) return moved.error();
+        plan.motion = std::move(moved).value();
+    }
+    return plan;
+}
+
+}  // namespace tuftwave

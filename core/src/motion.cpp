@@ -1,0 +1,205 @@
+// Based on: K. Furukawa, S. Nakata. Automatic Generation of the Periodic Hair Motion of 3D Characters for Anime
+// Production. ICEC 2018. Section 2, discretisation in space.
+// Differs: angles are those of chords, not of node tangents (half a bone out of phase); they are applied as turns in
+// model space, so that rest rotations of any kind survive; besides the paper's horizontal line there is a mode that
+// adds the wave to the rest pose.
+#include "tuftwave/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "laying.hpp"
+#include "tuftwave/elementary.hpp"
+#include "tuftwave/random.hpp"
+#include "tuftwave/vector_checks.hpp"
+
+namespace tuftwave {
+namespace {
+
+Error conflict(std::string field, std::variant<std::monostate, double, std::string> given, std::string allowed) {
+    return {ErrorCode::kConflict, std::move(field), std::move(given), std::move(allowed), {}, {}};
+}
+
+Check check_cycles(int cycles, const Schedule& schedule, const std::string& field) {
+    if (cycles == 1 || 2 * cycles < schedule.pictures) return {};
+    return conflict(field, static_cast<double>(cycles),
+                    "1, or fewer than half of the " + std::to_string(schedule.pictures) + " pictures");
+}
+
+Check check_chains(std::span<const Chain> chains, const Motion& motion, const Schedule& schedule,
+                   const Limits& limits) {
+    std::size_t poses = 0;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const auto place = [&] { return "/" + std::to_string(i); };
+        if (motion.one_sided && !chains[i].outward)
+            return Error{ErrorCode::kDegenerate,
+                         place() + "/outward",
+                         {},
+                         "a direction, since motion.one_sided is true",
+                         {},
+                         {}};
+        if (chains[i].cycles) {
+            if (Check wrong = check_cycles(*chains[i].cycles, schedule, place() + "/cycles")) return wrong;
+        }
+        poses += chains[i].nodes.size() * static_cast<std::size_t>(schedule.pictures);
+    }
+    return check_count(poses, 0, limits.node_poses, "");
+}
+
+/// How far a chain runs ahead, radians. @param index  of the chain, for the scatter
+double chain_phase(const Chain& chain, std::size_t index, const Motion& motion) {
+    double phase = chain.phase;
+    if (motion.phase.gust_wavelength) {
+        // A gust reaches a root later, the further it lies down the wind. Whole cycles are left out: they change
+        // nothing but the size of the number.
+        const double cycles = dot(chain.nodes.front(), normalized(motion.wind)) / *motion.phase.gust_wavelength;
+        phase -= 2 * kPi * (cycles - std::trunc(cycles));
+    }
+    if (motion.phase.spread > 0) {
+        const std::uint64_t seed = motion.phase.seed;
+        const auto words =
+            philox4x32({static_cast<std::uint32_t>(index), 0, static_cast<std::uint32_t>(RandomUse::kPhase), 0},
+                       {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+        phase += motion.phase.spread * 2 * kPi * unit_interval(words[0], words[1]);
+    }
+    return phase;
+}
+
+/// A phase as it is used: a number of radians, or a number of whole pictures.
+struct ChainPhase {
+    double radians = 0;
+    int pictures = 0;
+};
+
+ChainPhase used_phase(double phase, const Motion& motion, const Schedule& schedule) {
+    if (motion.phase.step == PhaseStep::kFree) return {phase, 0};
+    const double pictures = phase / (2 * kPi) * schedule.pictures;
+    return {0, static_cast<int>(pictures < 0 ? pictures - 0.5 : pictures + 0.5)};
+}
+
+/// The chords' angles of the hair line, radians: picture n, bone i at [n * bones + i].
+std::vector<double> wave_angles(const Chain& chain, const Motion& motion, const Schedule& schedule, ChainPhase ahead) {
+    const std::size_t nodes = chain.nodes.size();
+    std::vector<double> x(nodes, 0.0), envelope(nodes), height(nodes);
+    for (std::size_t i = 1; i < nodes; ++i) x[i] = x[i - 1] + length(chain.nodes[i] - chain.nodes[i - 1]);
+    const double whole = x.back();
+    for (std::size_t i = 0; i < nodes; ++i) {
+        x[i] = i + 1 == nodes ? kPi : kPi * (x[i] / whole);
+        envelope[i] = wave_envelope(motion.wave, x[i]);
+    }
+    const int cycles = chain.cycles.value_or(motion.phase.cycles);
+    std::vector<double> angles;
+    angles.reserve((nodes - 1) * static_cast<std::size_t>(schedule.pictures));
+    for (int n = 0; n < schedule.pictures; ++n) {
+        const double psi = picture_phase(schedule, n, cycles, ahead.pictures) + ahead.radians;
+        for (std::size_t i = 0; i < nodes; ++i) height[i] = wave_height(motion.wave, envelope[i], x[i], psi);
+        for (std::size_t i = 0; i + 1 < nodes; ++i)
+            angles.push_back(elementary::atan2(height[i + 1] - height[i], x[i + 1] - x[i]));
+    }
+    return angles;
+}
+
+/// Subtracts from each bone's angles what the motion's options leave out: the least one, or the mean.
+void shift_angles(std::vector<double>& angles, std::size_t bones, const Motion& motion) {
+    const bool remove =
+        motion.droop.value_or(motion.mode == Mode::kRelative ? Droop::kRemove : Droop::kKeep) == Droop::kRemove;
+    if (!motion.one_sided && !remove) return;
+    std::vector<double> sorted(angles.size() / bones);
+    for (std::size_t bone = 0; bone < bones; ++bone) {
+        for (std::size_t n = 0; n < sorted.size(); ++n) sorted[n] = angles[n * bones + bone];
+        // Summed in order of size, so that a chain some pictures ahead has the same mean to the last bit.
+        std::sort(sorted.begin(), sorted.end());
+        const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+        const double shift = motion.one_sided ? sorted.front() : sum / static_cast<double>(sorted.size());
+        for (std::size_t at = bone; at < angles.size(); at += bones) angles[at] -= shift;
+    }
+}
+
+/// Turns each bone in model space and writes its local rotation.
+void pose_chain(const Chain& chain, const Laying& laying, std::span<const double> angles, std::span<Quat> rotations) {
+    Quat rest = normalized(chain.parent_rotation), parent = rest;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        rest = rest * normalized(chain.rest_rotations[i]);
+        const Quat global = laying.turn(i, angles[i]) * rest;
+        rotations[i] = normalized(inverse(parent) * global);
+        parent = global;
+    }
+    rotations[angles.size()] = normalized(chain.rest_rotations[angles.size()]);
+}
+
+/// Chooses between q and -q, which are one rotation: w >= 0 in the first picture, then the sign nearer to the one
+/// before.
+void make_continuous(std::vector<Quat>& rotations, std::size_t nodes) {
+    for (std::size_t at = 0; at < rotations.size(); ++at) {
+        const double agreement = at < nodes ? rotations[at].w : dot(rotations[at], rotations[at - nodes]);
+        if (agreement < 0) rotations[at] = -rotations[at];
+    }
+}
+
+ChainMotion move_chain(const Chain& chain, std::size_t index, const Motion& motion, const Schedule& schedule) {
+    const std::size_t nodes = chain.nodes.size(), bones = nodes - 1;
+    ChainMotion moved;
+    const ChainPhase ahead = used_phase(chain_phase(chain, index, motion), motion, schedule);
+    moved.phase = ahead.radians + 2 * kPi * ahead.pictures / schedule.pictures;
+    std::vector<double> angles = wave_angles(chain, motion, schedule, ahead);
+    shift_angles(angles, bones, motion);
+
+    const Laying laying(chain, motion);
+    moved.rotations.resize(nodes * static_cast<std::size_t>(schedule.pictures));
+    for (std::size_t n = 0; n < static_cast<std::size_t>(schedule.pictures); ++n) {
+        pose_chain(chain, laying, std::span(angles).subspan(n * bones, bones),
+                   std::span(moved.rotations).subspan(n * nodes, nodes));
+    }
+    make_continuous(moved.rotations, nodes);
+    return moved;
+}
+
+}  // namespace
+
+Check check_motion(const Motion& motion, const Schedule& schedule, const Limits& limits) {
+    if (Check wrong = check_wave(motion.wave, limits)) return within("/wave", *wrong);
+    if (Check wrong = check_direction(motion.wind, limits, "/wind")) return wrong;
+    if (Check wrong = check_direction(motion.up, limits, "/up")) return wrong;
+    if (Check wrong = check_not_parallel(motion.wind, motion.up, "/wind", "up")) return wrong;
+    if (motion.lift) {
+        if (Check wrong = check_range(*motion.lift, limits.lift, "/lift")) return wrong;
+    }
+    if (motion.one_sided && motion.mode == Mode::kAbsolute)
+        return conflict("/one_sided", "true", "false in absolute mode");
+    const Phasing& phase = motion.phase;
+    if (phase.gust_wavelength) {
+        if (Check wrong = check_range(*phase.gust_wavelength, limits.gust_wavelength, "/phase/gust_wavelength"))
+            return wrong;
+    }
+    if (Check wrong = check_range(phase.spread, limits.spread, "/phase/spread")) return wrong;
+    if (Check wrong = check_range(phase.cycles, limits.cycles, "/phase/cycles")) return wrong;
+    return check_cycles(phase.cycles, schedule, "/phase/cycles");
+}
+
+Result<std::vector<ChainMotion>> move_chains(std::span<const Chain> chains, const Motion& motion,
+                                             const Schedule& schedule, const Limits& limits, const ForEach& for_each,
+                                             std::stop_token stop) {
+    if (Check wrong = check_motion(motion, schedule, limits)) return within("/motion", *wrong);
+    if (Check wrong = check_chains(chains, motion, schedule, limits)) return within("/chains", *wrong);
+    std::vector<ChainMotion> moved(chains.size());
+    for_each(chains.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) moved[i] = move_chain(chains[i], i, motion, schedule);
+    });
+    if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "", {}, "", {}, {}};
+    return moved;
+}
+
+std::vector<Vec3> node_positions(const Chain& chain, std::span<const Quat> rotations) {
+    std::vector<Vec3> positions{chain.nodes.front()};
+    Quat rest = normalized(chain.parent_rotation), posed = rest;
+    for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
+        rest = rest * normalized(chain.rest_rotations[i]);
+        posed = posed * rotations[i];
+        const Vec3 bone = rotated(inverse(rest), chain.nodes[i + 1] - chain.nodes[i]);
+        positions.push_back(positions.back() + rotated(posed, bone));
+    }
+    return positions;
+}
+
+}  // namespace tuftwave
