@@ -1,0 +1,50 @@
+#include "api/body.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace tuftwave::server {
+namespace {
+
+/// The media type without its parameters, in lower case.
+std::string media_type(const std::string& header) {
+    std::string type = header.substr(0, header.find(';'));
+    while (!type.empty() && type.back() == ' ') type.pop_back();
+    for (char& c : type) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return type;
+}
+
+Problem wrong_type(std::string detail) {
+    return {ProblemCode::kUnsupportedMediaType, std::move(detail), {}, {{"Accept", "application/json"}}};
+}
+
+}  // namespace
+
+std::variant<nlohmann::json, Problem> read_body(const Request& request) {
+    const std::string& encoding = request.header("content-encoding");
+    if (!encoding.empty() && encoding != "identity")
+        return wrong_type("Content-Encoding is not understood; send the body as it is.");
+    if (media_type(request.header("content-type")) != "application/json")
+        return wrong_type("Send the body with Content-Type: application/json.");
+    return parse_guarded(request.body, JsonLimits{});
+}
+
+std::optional<Problem> check_query(const Request& request, std::initializer_list<std::string_view> known) {
+    std::vector<std::string_view> seen;
+    for (const auto& [name, value] : request.query) {
+        if (std::find(seen.begin(), seen.end(), name) != seen.end())
+            return fields_problem(
+                {{ProblemCode::kDuplicateKey, "?" + name.substr(0, 64), {}, "each parameter once", {}, {}}});
+        seen.push_back(name);
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        std::string names;
+        for (const std::string_view word : known) names += (names.empty() ? "" : ", ") + std::string(word);
+        return fields_problem({{ProblemCode::kUnknownField, "?" + name.substr(0, 64), {}, names, {}, {}}});
+    }
+    return {};
+}
+
+}  // namespace tuftwave::server

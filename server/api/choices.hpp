@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+
+#include "api/reader.hpp"
+#include "gltf/hair_file.hpp"
+#include "tuftwave/hairstyle.hpp"
+
+namespace tuftwave::server {
+
+// The words of the API for core's enumerations, used for reading and for writing.
+
+inline constexpr Choices<Formulas, 2> kFormulas{
+    {{"corrected", Formulas::kCorrected}, {"as_printed", Formulas::kAsPrinted}}};
+inline constexpr Choices<Taper, 4> kTapers{
+    {{"sine", Taper::kSine}, {"linear", Taper::kLinear}, {"smooth", Taper::kSmooth}, {"round", Taper::kRound}}};
+inline constexpr Choices<Section, 2> kSections{{{"circle", Section::kCircle}, {"ellipse", Section::kEllipse}}};
+inline constexpr Choices<ShortHolds, 2> kShortHolds{{{"last", ShortHolds::kLast}, {"spread", ShortHolds::kSpread}}};
+inline constexpr Choices<Sampling, 2> kSamplings{{{"uniform", Sampling::kUniform}, {"by_frame", Sampling::kByFrame}}};
+inline constexpr Choices<Mode, 2> kModes{{{"relative", Mode::kRelative}, {"absolute", Mode::kAbsolute}}};
+inline constexpr Choices<Droop, 2> kDroops{{{"remove", Droop::kRemove}, {"keep", Droop::kKeep}}};
+inline constexpr Choices<PhaseStep, 2> kPhaseSteps{{{"free", PhaseStep::kFree}, {"picture", PhaseStep::kPicture}}};
+inline constexpr Choices<gltf::Layout, 2> kLayouts{
+    {{"per_tuft", gltf::Layout::kPerTuft}, {"merged", gltf::Layout::kMerged}}};
+
+template <class Enum, std::size_t count>
+std::string_view word_of(const Choices<Enum, count>& choices, Enum meaning) {
+    for (const auto& [word, value] : choices) {
+        if (value == meaning) return word;
+    }
+    return "";
+}
+
+}  // namespace tuftwave::server

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tuftwave::server {
+
+using NameValues = std::vector<std::pair<std::string, std::string>>;
+
+/// A request as the service sees it: complete, and without a socket.
+struct Request {
+    std::string method;  ///< "GET", "POST", ... as sent
+    std::string path;    ///< decoded, without the query
+    NameValues query;    ///< decoded, in the order sent
+    NameValues headers;  ///< names in lower case
+    std::string body;
+
+    /// The first header of that name, "" if there is none. @param name  in lower case
+    const std::string& header(const std::string& name) const;
+};
+
+/// What goes back.
+struct Response {
+    int status = 200;
+    std::string content_type;
+    std::string body;
+    NameValues headers;  ///< besides Content-Type and Content-Length
+};
+
+}  // namespace tuftwave::server

@@ -1,0 +1,141 @@
+#include "api/hair.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/body.hpp"
+#include "api/formats.hpp"
+#include "api/read_nouns.hpp"
+#include "api/write_nouns.hpp"
+#include "gltf/hair_file.hpp"
+#include "sheets/csv.hpp"
+#include "sheets/xdts.hpp"
+#include "tuftwave/hairstyle.hpp"
+#include "version.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A request's hairstyle and how it wants to look.
+struct HairRequest {
+    Hairstyle hairstyle;
+    gltf::Look look;
+};
+
+/// Whether a request may move the hair.
+enum class Stillness { kStill, kMoving };
+
+std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillness stillness, const Limits& limits) {
+    HairRequest read;
+    FieldProblems problems;
+    const Place root;
+    Fields fields(body, root, problems);
+    Hairstyle& hairstyle = read.hairstyle;
+    fields.require("tufts");
+    fields.member("head", [&](const nlohmann::json& head, const Place& place) {
+        read_head(head, place, problems, hairstyle.head);
+    });
+    fields.items("tufts", [&](const nlohmann::json& tuft, const Place& place) {
+        read_tuft(tuft, place, problems, limits, hairstyle.tufts.emplace_back());
+    });
+    fields.member("mesh", [&](const nlohmann::json& mesh, const Place& place) {
+        read_mesh(mesh, place, problems, limits, hairstyle.mesh, read.look);
+    });
+    if (stillness == Stillness::kMoving) {
+        fields.optional_member("motion", [&](const nlohmann::json& motion, const Place& place) {
+            hairstyle.motion.emplace().up = hairstyle.head.up;
+            read_motion(motion, place, problems, limits, *hairstyle.motion);
+        });
+        read_formulas(fields, hairstyle.formulas);
+    }
+    fields.done();
+    if (!problems.empty()) return fields_problem(problems.take());
+    return read;
+}
+
+/// What rides along in the file: the recipe, so that it can be posted back and edited, and the sheet as integers.
+nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
+    Json extras{{"version", kVersion}, {"hairstyle", hairstyle_json(hair.hairstyle, hair.look)}};
+    if (plan.motion) {
+        extras["schedule"] = schedule_json(plan.motion->schedule);
+        extras["warnings"] = warnings_json(&plan.motion->schedule);
+    }
+    return {{"tuftwave", std::move(extras)}};
+}
+
+std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const ForEach& for_each) {
+    const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
+    const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
+    return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), clip, container, for_each);
+}
+
+Json report_json(const HairRequest& hair, const HairPlan& plan) {
+    Json report{{"tufts", Json::array()}};
+    for (std::size_t i = 0; i < plan.tufts.size(); ++i) {
+        const MeshPlan& tuft = plan.tufts[i];
+        report["tufts"].push_back({{"name", plan.chains[i].name},
+                                   {"vertices", tuft.vertex_count()},
+                                   {"triangles", tuft.index_count() / 3},
+                                   {"joints", tuft.joints}});
+    }
+    report["totals"] = {{"tufts", plan.tufts.size()},
+                        {"vertices", plan.vertices},
+                        {"triangles", plan.indices / 3},
+                        {"joints", plan.joints}};
+    const Schedule* schedule = nullptr;
+    if (plan.motion) {
+        schedule = &plan.motion->schedule;
+        report["schedule"] = schedule_json(*schedule);
+        report["pictures"] = pictures_json(plan.chains, *plan.motion);
+        report["quality"] = quality_json(plan.chains, hair.hairstyle.motion->wave, *plan.motion);
+    }
+    report["warnings"] = warnings_json(schedule);
+    return report;
+}
+
+Answer answer_hair(const Request& request, const Context& context, Stillness stillness, Format format) {
+    auto body = read_body(request);
+    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
+    auto read = read_hair(std::get<nlohmann::json>(body), stillness, context.limits);
+    if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+    const auto& hair = std::get<HairRequest>(read);
+    const bool is_sheet = format == Format::kXdts || format == Format::kCsv;
+    if (is_sheet && !hair.hairstyle.motion)
+        return fields_problem(
+            {{ProblemCode::kMissingField, "/motion", {}, "a motion, since a sheet was asked for", {}, {}}});
+
+    const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
+    if (!plan) return to_problem(plan.error());
+    const Schedule* schedule = plan->motion ? &plan->motion->schedule : nullptr;
+    switch (format) {
+        case Format::kJson:
+            return formatted(format, report_json(hair, *plan).dump(), "hair", schedule);
+        case Format::kXdts:
+            return formatted(format, sheets::xdts(*schedule, 1), "hair", schedule);
+        case Format::kCsv:
+            return formatted(format, sheets::csv(*schedule, 1), "hair", schedule);
+        case Format::kGlb:
+        case Format::kGltf:
+            break;
+    }
+    return formatted(format, hair_bytes(hair, *plan, format, context.for_each), "hair", schedule);
+}
+
+}  // namespace
+
+Answer post_tufts(const Request& request, const Context& context) {
+    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
+    auto format = choose_format(request, {Format::kGlb, Format::kGltf});
+    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
+    return answer_hair(request, context, Stillness::kStill, std::get<Format>(format));
+}
+
+Answer post_hairstyles(const Request& request, const Context& context) {
+    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
+    auto format = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv});
+    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
+    return answer_hair(request, context, Stillness::kMoving, std::get<Format>(format));
+}
+
+}  // namespace tuftwave::server

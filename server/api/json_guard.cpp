@@ -1,0 +1,121 @@
+#include "api/json_guard.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+namespace tuftwave::server {
+namespace {
+
+Problem refusal(ProblemCode code, std::string detail) { return {code, std::move(detail), {}, {}}; }
+
+std::string at_byte(std::size_t at) { return " at byte " + std::to_string(at + 1); }
+
+/// One pass over the bytes. It does not check the grammar, which the parser does, only what the parser does not.
+class Scan {
+  public:
+    Scan(std::string_view body, const JsonLimits& limits) : body_(body), limits_(limits) {}
+
+    std::optional<Problem> run() {
+        while (at_ < body_.size() && !problem_) step();
+        return problem_;
+    }
+
+  private:
+    void step() {
+        const char c = body_[at_];
+        if (c == '"') return text();
+        if (c == '\0') {  // the parser takes it for the end and would ignore the rest
+            problem_ = refusal(ProblemCode::kMalformed, "The JSON is not valid" + at_byte(at_) + ".");
+            return;
+        }
+        if (c == '{' || c == '[') open(c == '{');
+        if (c == '}' || c == ']') close();
+        if (c == ',' || c == '[' || c == '{') count_value();
+        if (c == ',' || c == '{') expects_key_ = !open_.empty() && open_.back().is_object;
+        ++at_;
+    }
+
+    void open(bool is_object) {
+        open_.push_back({is_object, {}});
+        if (open_.size() > limits_.depth)
+            problem_ = refusal(ProblemCode::kTooDeep, "Nested more than " + std::to_string(limits_.depth) +
+                                                          " levels deep" + at_byte(at_) + ".");
+    }
+
+    void close() {
+        if (!open_.empty()) open_.pop_back();
+        expects_key_ = false;  // what follows {} is no key, although nothing came between
+    }
+
+    void count_value() {
+        if (++values_ > limits_.values)
+            problem_ = refusal(ProblemCode::kTooManyValues,
+                               "More than " + std::to_string(limits_.values) + " values" + at_byte(at_) + ".");
+    }
+
+    void text() {
+        const std::size_t start = ++at_;
+        bool is_escaped = false;
+        while (at_ < body_.size() && body_[at_] != '"') {
+            if (body_[at_] == '\\') {
+                is_escaped = true;
+                ++at_;
+            }
+            ++at_;
+        }
+        if (at_ >= body_.size()) {
+            problem_ = refusal(ProblemCode::kMalformed, "A string does not end.");
+            return;
+        }
+        if (expects_key_) key(body_.substr(start, at_ - start), is_escaped, start);
+        expects_key_ = false;
+        ++at_;
+    }
+
+    void key(std::string_view name, bool is_escaped, std::size_t start) {
+        std::vector<std::string_view>& keys = open_.back().keys;
+        if (is_escaped) {  // an escaped key could hide a second one; none of ours needs it
+            problem_ = refusal(ProblemCode::kMalformed, "A key contains a backslash" + at_byte(start) + ".");
+        } else if (std::find(keys.begin(), keys.end(), name) != keys.end()) {
+            problem_ = refusal(ProblemCode::kDuplicateKey, "The key \"" + std::string(name.substr(0, 64)) +
+                                                               "\" occurs twice in one object" + at_byte(start) + ".");
+        } else if (keys.size() == limits_.keys_per_object) {
+            problem_ = refusal(ProblemCode::kTooManyValues, "More than " + std::to_string(limits_.keys_per_object) +
+                                                                " keys in one object" + at_byte(start) + ".");
+        }
+        keys.push_back(name);
+    }
+
+    struct Open {
+        bool is_object;
+        std::vector<std::string_view> keys;
+    };
+
+    std::string_view body_;
+    const JsonLimits& limits_;
+    std::size_t at_ = 0, values_ = 1;
+    bool expects_key_ = false;
+    std::vector<Open> open_;
+    std::optional<Problem> problem_;
+};
+
+}  // namespace
+
+std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits) {
+    if (body.size() > limits.bytes)
+        return refusal(ProblemCode::kTooLarge, "The body has " + std::to_string(body.size()) + " bytes; at most " +
+                                                   std::to_string(limits.bytes) + " are allowed.");
+    if (std::optional<Problem> problem = Scan(body, limits).run()) return *std::move(problem);
+    try {
+        return nlohmann::json::parse(body);
+    } catch (const nlohmann::json::parse_error& error) {
+        return refusal(ProblemCode::kMalformed,
+                       "The JSON is not valid" + at_byte(error.byte == 0 ? 0 : error.byte - 1) + ".");
+    } catch (const nlohmann::json::out_of_range&) {
+        return refusal(ProblemCode::kMalformed, "A number is too large to be represented.");
+    }
+}
+
+}  // namespace tuftwave::server

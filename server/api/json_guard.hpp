@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+#include <variant>
+
+#include "api/problem.hpp"
+
+namespace tuftwave::server {
+
+/// What a request body may be, before anybody looks at what it says.
+struct JsonLimits {
+    std::size_t bytes = 16 * 1024 * 1024;  ///< 131,072 points of 64 bytes and 16,384 tufts of 256 bytes make 12 MiB
+    std::size_t depth = 32;
+    std::size_t values = 1'000'000;  ///< 131,072 points are 524,288 values, 16,384 tufts 262,144
+    std::size_t keys_per_object = 64;
+};
+
+/// Parses a client's JSON behind a scan of its bytes: size, nesting, number of values, duplicate keys. A deep document
+/// would overflow the stack of whoever copies or prints it, so it never becomes one.
+/// @return  the document, or malformed, duplicate_key, too_deep, too_many_values, too_large
+std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits);
+
+}  // namespace tuftwave::server

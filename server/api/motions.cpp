@@ -1,0 +1,134 @@
+#include "api/motions.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/body.hpp"
+#include "api/formats.hpp"
+#include "api/read_nouns.hpp"
+#include "api/write_nouns.hpp"
+#include "gltf/hair_file.hpp"
+#include "sheets/csv.hpp"
+#include "sheets/xdts.hpp"
+#include "tuftwave/motion.hpp"
+#include "tuftwave/vector_checks.hpp"
+#include "version.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MotionRequest {
+    std::optional<Head> head;
+    std::vector<Chain> chains;
+    Motion motion;
+    Formulas formulas = Formulas::kCorrected;
+};
+
+std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+    MotionRequest read;
+    FieldProblems problems;
+    const Place root;
+    Fields fields(body, root, problems);
+    fields.require("chains");
+    fields.member("head", [&](const nlohmann::json& head, const Place& place) {
+        read_head(head, place, problems, read.head.emplace());
+    });
+    if (read.head) read.motion.up = read.head->up;
+    fields.items("chains", [&](const nlohmann::json& chain, const Place& place) {
+        read_chain(chain, place, problems, limits, read.chains.emplace_back());
+    });
+    fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
+        read_motion(motion, place, problems, limits, read.motion);
+    });
+    read_formulas(fields, read.formulas);
+    fields.done();
+    if (!problems.empty()) return fields_problem(problems.take());
+    return read;
+}
+
+Check check_chains(const MotionRequest& request, const Limits& limits) {
+    if (Check wrong = check_count(request.chains.size(), 1, limits.chains, "/chains")) return wrong;
+    std::size_t joints = 0;
+    for (std::size_t i = 0; i < request.chains.size(); ++i) {
+        if (Check wrong = check_chain(request.chains[i], limits)) return within("/chains/" + std::to_string(i), *wrong);
+        joints += request.chains[i].nodes.size() - 1;
+    }
+    if (joints <= limits.joints) return {};
+    return Error{ErrorCode::kTooMany,
+                 "/chains",
+                 static_cast<double>(joints),
+                 "at most " + std::to_string(limits.joints) + " bones in all chains",
+                 {},
+                 static_cast<double>(limits.joints)};
+}
+
+/// Chains that do not say where outward is take it from the head.
+void set_outward(MotionRequest& request) {
+    if (!request.head) return;
+    for (Chain& chain : request.chains) {
+        const Vec3 away = chain.nodes.front() - request.head->center;
+        if (!chain.outward && length(away) > kShortestDirection) chain.outward = normalized(away);
+    }
+}
+
+Result<HairMotion> move(MotionRequest& request, const Context& context) {
+    if (request.head) {
+        if (Check wrong = check_head(*request.head, context.limits)) return within("/head", *wrong);
+    }
+    if (Check wrong = check_chains(request, context.limits)) return *wrong;
+    set_outward(request);
+    Result<Schedule> schedule = make_schedule(request.motion.timing, request.formulas, context.limits);
+    if (!schedule) return within("/motion/timing", schedule.error());
+    auto moved = move_chains(request.chains, request.motion, *schedule, context.limits, context.for_each, context.stop);
+    if (!moved) return moved.error();
+    return HairMotion{std::move(schedule).value(), std::move(moved).value()};
+}
+
+std::string answer_json(const MotionRequest& request, const HairMotion& motion) {
+    return Json{{"schedule", schedule_json(motion.schedule)},
+                {"pictures", pictures_json(request.chains, motion)},
+                {"quality", quality_json(request.chains, request.motion.wave, motion)},
+                {"warnings", warnings_json(&motion.schedule)}}
+        .dump();
+}
+
+std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format) {
+    const nlohmann::json schedule = schedule_json(motion.schedule);
+    const nlohmann::json extras{
+        {"tuftwave", {{"version", kVersion}, {"schedule", schedule}, {"warnings", warnings_json(&motion.schedule)}}}};
+    return gltf::clip_file(request.chains, motion, extras, schedule,
+                           format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf);
+}
+
+}  // namespace
+
+Answer post_motions(const Request& request, const Context& context) {
+    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
+    auto chosen = choose_format(request, {Format::kJson, Format::kGlb, Format::kGltf, Format::kXdts, Format::kCsv});
+    if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    auto body = read_body(request);
+    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
+    auto read = read_request(std::get<nlohmann::json>(body), context.limits);
+    if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+
+    auto& wanted = std::get<MotionRequest>(read);
+    const Result<HairMotion> motion = move(wanted, context);
+    if (!motion) return to_problem(motion.error());
+    const Format format = std::get<Format>(chosen);
+    const Schedule* schedule = &motion->schedule;
+    switch (format) {
+        case Format::kXdts:
+            return formatted(format, sheets::xdts(*schedule, 1), "motion", schedule);
+        case Format::kCsv:
+            return formatted(format, sheets::csv(*schedule, 1), "motion", schedule);
+        case Format::kGlb:
+        case Format::kGltf:
+            return formatted(format, clip_bytes(wanted, *motion, format), "motion", schedule);
+        case Format::kJson:
+            break;
+    }
+    return formatted(format, answer_json(wanted, *motion), "motion", schedule);
+}
+
+}  // namespace tuftwave::server

@@ -1,0 +1,121 @@
+#include "api/read_nouns.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/choices.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestName = 256;  // characters
+
+void read_wave(const json& value, const Place& place, FieldProblems& problems, Wave& into) {
+    Fields fields(value, place, problems);
+    fields.number("amplitude", into.amplitude);
+    fields.number("spatial_period", into.spatial_period);
+    fields.number("lightness", into.lightness);
+    fields.number("tip_exponent", into.tip_exponent);
+    fields.done();
+}
+
+void read_phasing(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Phasing& into) {
+    Fields fields(value, place, problems);
+    fields.choice("step", kPhaseSteps, into.step);
+    fields.number("gust_wavelength", into.gust_wavelength);
+    fields.number("spread", into.spread);
+    fields.seed("seed", into.seed);
+    fields.integer("cycles", limits.cycles, into.cycles);
+    fields.done();
+}
+
+}  // namespace
+
+void read_head(const json& value, const Place& place, FieldProblems& problems, Head& into) {
+    Fields fields(value, place, problems);
+    fields.vector("center", into.center);
+    fields.vector("up", into.up);
+    fields.vector("front", into.front);
+    fields.number("root_depth", into.root_depth);
+    fields.number("diameter_at_100", into.diameter_at_100);
+    fields.done();
+}
+
+void read_tuft(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Tuft& into) {
+    Fields fields(value, place, problems);
+    fields.require("points");
+    fields.text("name", kLongestName, into.name);
+    fields.vectors("points", into.points);
+    fields.number("diameter", into.diameter);
+    fields.number("widest_at", into.widest_at);
+    fields.choice("taper", kTapers, into.taper);
+    fields.choice("section", kSections, into.section);
+    fields.number("flatness", into.flatness);
+    fields.number("twist_deg", into.twist_deg);
+    fields.number("roll_deg", into.roll_deg);
+    fields.integer("joints", limits.joints_per_tuft, into.joints);
+    fields.number("phase", into.phase);
+    fields.integer("cycles", limits.cycles, into.cycles);
+    fields.done();
+}
+
+void read_chain(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Chain& into) {
+    Fields fields(value, place, problems);
+    fields.require("nodes");
+    fields.text("name", kLongestName, into.name);
+    fields.vectors("nodes", into.nodes);
+    into.rest_rotations.clear();
+    fields.rotations("rest_rotations", into.rest_rotations);
+    fields.rotation("parent_rotation", into.parent_rotation);
+    fields.vector("outward", into.outward);
+    fields.number("phase", into.phase);
+    fields.integer("cycles", limits.cycles, into.cycles);
+    fields.done();
+    const auto given = value.is_object() ? value.find("rest_rotations") : value.end();
+    if (!value.is_object() || given == value.end() || given->is_null())
+        into.rest_rotations.assign(into.nodes.size(), Quat{});
+}
+
+void read_timing(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Timing& into) {
+    Fields fields(value, place, problems);
+    fields.number("period", into.period);
+    fields.frame_rate("fps", into.fps);
+    fields.integer("hold", limits.hold, into.hold);
+    fields.choice("short_holds", kShortHolds, into.short_holds);
+    fields.choice("sampling", kSamplings, into.sampling);
+    fields.done();
+}
+
+void read_motion(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Motion& into) {
+    Fields fields(value, place, problems);
+    fields.member("wave", [&](const json& wave, const Place& at) { read_wave(wave, at, problems, into.wave); });
+    fields.member("timing",
+                  [&](const json& timing, const Place& at) { read_timing(timing, at, problems, limits, into.timing); });
+    fields.choice("mode", kModes, into.mode);
+    fields.vector("wind", into.wind);
+    std::optional<Vec3> up(into.up);
+    fields.vector("up", up);
+    into.up = up.value_or(into.up);
+    fields.choice("droop", kDroops, into.droop);
+    fields.boolean("one_sided", into.one_sided);
+    fields.number("lift", into.lift);
+    fields.member("phase",
+                  [&](const json& phase, const Place& at) { read_phasing(phase, at, problems, limits, into.phase); });
+    fields.done();
+}
+
+void read_mesh(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, MeshDetail& detail,
+               gltf::Look& look) {
+    Fields fields(value, place, problems);
+    fields.number("tolerance", detail.tolerance);
+    fields.integer("rings", limits.rings, detail.rings);
+    fields.integer("sides", limits.sides, detail.sides);
+    fields.choice("layout", kLayouts, look.layout);
+    fields.color("color", look.color);
+    fields.done();
+}
+
+void read_formulas(Fields& fields, Formulas& into) { fields.choice("formulas", kFormulas, into); }
+
+}  // namespace tuftwave::server

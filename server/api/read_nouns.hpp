@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/reader.hpp"
+#include "gltf/hair_file.hpp"
+#include "tuftwave/hairstyle.hpp"
+
+namespace tuftwave::server {
+
+// From JSON to core's structs, one function per noun. They check types and names; core checks the ranges.
+
+void read_head(const nlohmann::json& json, const Place& place, FieldProblems& problems, Head& into);
+void read_tuft(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+               Tuft& into);
+void read_chain(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+                Chain& into);
+void read_timing(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+                 Timing& into);
+void read_motion(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+                 Motion& into);
+void read_mesh(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+               MeshDetail& detail, gltf::Look& look);
+void read_formulas(Fields& fields, Formulas& into);
+
+}  // namespace tuftwave::server

@@ -1,0 +1,125 @@
+#include "api/schedules.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "api/body.hpp"
+#include "api/choices.hpp"
+#include "api/formats.hpp"
+#include "api/read_nouns.hpp"
+#include "api/write_nouns.hpp"
+#include "sheets/csv.hpp"
+#include "sheets/xdts.hpp"
+#include "tuftwave/schedule.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+struct ScheduleRequest {
+    Timing timing;
+    Formulas formulas = Formulas::kCorrected;
+    int repeat = 1;
+};
+
+std::variant<ScheduleRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+    ScheduleRequest read;
+    FieldProblems problems;
+    const Place root;
+    Fields fields(body, root, problems);
+    fields.member("timing", [&](const nlohmann::json& timing, const Place& place) {
+        read_timing(timing, place, problems, limits, read.timing);
+    });
+    read_formulas(fields, read.formulas);
+    fields.integer("repeat", kRepeatRange, read.repeat);
+    fields.done();
+    if (!problems.empty()) return fields_problem(problems.take());
+    return read;
+}
+
+/// The query as the body it stands for: numbers where they are numbers, else text.
+nlohmann::json query_body(const Request& request) {
+    nlohmann::json body = nlohmann::json::object();
+    for (const auto& [name, value] : request.query) {
+        if (name == "format") continue;
+        const bool is_timing = name != "formulas" && name != "repeat";
+        nlohmann::json& place = is_timing ? body["timing"][name] : body[name];
+        double number = 0;
+        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+        const bool is_number = error == std::errc{} && end == value.data() + value.size() && std::isfinite(number);
+        place = is_number ? nlohmann::json(number) : nlohmann::json(value);
+    }
+    return body;
+}
+
+/// A problem found in the body that stands for a query, with the query's names: "/timing/period" is "?period".
+Problem as_query_problem(Problem problem) {
+    for (FieldProblem& field : problem.fields) field.pointer = "?" + field.pointer.substr(field.pointer.rfind('/') + 1);
+    return problem.fields.empty() ? problem : fields_problem(std::move(problem.fields));
+}
+
+Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
+    auto read = read_request(body, limits);
+    if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+    const auto& wanted = std::get<ScheduleRequest>(read);
+    const Result<Schedule> schedule = make_schedule(wanted.timing, wanted.formulas, limits);
+    if (!schedule) return to_problem(schedule.error(), "/timing");
+    const auto sheet_frames = static_cast<std::size_t>(schedule->frames) * static_cast<std::size_t>(wanted.repeat);
+    if (const Check wrong = check_count(sheet_frames, 1, limits.sheet_frames, "/repeat")) return to_problem(*wrong);
+    switch (format) {
+        case Format::kXdts:
+            return formatted(format, sheets::xdts(*schedule, wanted.repeat), "sheet", &*schedule);
+        case Format::kCsv:
+            return formatted(format, sheets::csv(*schedule, wanted.repeat), "sheet", &*schedule);
+        default:
+            break;
+    }
+    const nlohmann::ordered_json json{{"schedule", schedule_json(*schedule)}, {"warnings", warnings_json(&*schedule)}};
+    return formatted(Format::kJson, json.dump(), "sheet", &*schedule);
+}
+
+/// A strong entity tag: FNV-1a of the exact bytes.
+std::string entity_tag(const std::string& body) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : body) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    char digits[17] = {};
+    const auto end = std::to_chars(digits, digits + 16, hash, 16).ptr;
+    return "\"" + std::string(digits, end) + "\"";
+}
+
+/// Adds what lets a cache keep the answer; 304 without a body for whoever has it.
+Response cacheable(Response response, const std::string& if_none_match) {
+    const std::string tag = entity_tag(response.body);
+    response.headers.emplace_back("ETag", tag);
+    response.headers.emplace_back("Cache-Control", "public, max-age=86400");
+    if (if_none_match.find(tag) != std::string::npos || if_none_match == "*") {
+        response.status = 304;
+        response.body.clear();
+    }
+    return response;
+}
+
+}  // namespace
+
+Answer post_schedules(const Request& request, const Context& context) {
+    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
+    auto format = choose_format(request, {Format::kJson, Format::kXdts, Format::kCsv});
+    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
+    auto body = read_body(request);
+    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
+    return answer(std::get<nlohmann::json>(body), std::get<Format>(format), context.limits);
+}
+
+Answer get_schedules(const Request& request, const Context& context) {
+    if (auto problem =
+            check_query(request, {"format", "period", "fps", "hold", "short_holds", "sampling", "formulas", "repeat"}))
+        return *std::move(problem);
+    auto format = choose_format(request, {Format::kJson, Format::kXdts, Format::kCsv});
+    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
+    Answer made = answer(query_body(request), std::get<Format>(format), context.limits);
+    if (auto* problem = std::get_if<Problem>(&made)) return as_query_problem(std::move(*problem));
+    return cacheable(std::get<Response>(std::move(made)), request.header("if-none-match"));
+}
+
+}  // namespace tuftwave::server

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "api/operation.hpp"
+
+namespace tuftwave::server {
+
+/// Cycles that may be written into one sheet.
+inline constexpr Range kRepeatRange{1, 1'440};
+
+/// POST /v1/schedules: an exposure sheet.
+Answer post_schedules(const Request& request, const Context& context);
+
+/// GET /v1/schedules: the same by query, to be cached.
+Answer get_schedules(const Request& request, const Context& context);
+
+}  // namespace tuftwave::server

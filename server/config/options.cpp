@@ -1,0 +1,148 @@
+#include "config/options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <numeric>
+
+#include "tuftwave/limits.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+constexpr std::size_t kLongestText = 255;  // a host name has at most 253 characters
+constexpr std::size_t kTypingErrors = 2;
+
+constexpr std::array kOptions{
+    Option{"host", "", &Config::host, 0, 0, "", "", "Address to serve on; 0.0.0.0 or :: for all"},
+    Option{"port", "PORT", &Config::port, 0, 65'535, "", "", "Port to serve on; 0 picks a free one"},
+    Option{"admin-host", "", &Config::admin_host, 0, 0, "", "", "Address of /livez, /readyz and /metrics"},
+    Option{"admin-port", "", &Config::admin_port, 0, 65'535, "", "",
+           "Port of /livez, /readyz and /metrics; 0 picks a free one"},
+    Option{"workers", "", &Config::workers, 0, 256, "", "threads", "Threads that compute; 0 means as many as cores"},
+    Option{"queue", "", &Config::queue, 1, 10'000, "", "jobs",
+           "Jobs that may wait for a worker before requests are refused"},
+    Option{"connections", "", &Config::connections, 8, 1'024, "", "threads",
+           "Threads that read and write, one for each open connection"},
+    Option{"deadline", "", &Config::deadline_seconds, 0.1, 600, "", "seconds",
+           "How long a request may wait and compute"},
+    Option{"drain", "", &Config::drain_seconds, 0, 60, "", "seconds",
+           "How long to go on serving, while not ready, after SIGTERM"},
+    Option{"log-level", "", &Config::log_level, 0, 0, "debug|info|warn|error|off", "", "The least that is logged"},
+    Option{"log-format", "", &Config::log_format, 0, 0, "auto|json|text", "",
+           "auto: text on a terminal, else one JSON object per line"},
+};
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+std::vector<std::string_view> split(std::string_view text, const char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t end; (end = text.find(separator)) != std::string_view::npos; text.remove_prefix(end + 1))
+        parts.push_back(text.substr(0, end));
+    parts.push_back(text);
+    return parts;
+}
+
+/// The whole text as a number; nothing for what is no number, infinite, or out of range.
+template <class Number>
+std::optional<Number> number_within(const std::string_view text, const Option& option) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return {};
+    if (!is_within(static_cast<double>(value), {option.minimum, option.maximum})) return {};
+    return value;
+}
+
+bool is_allowed_text(const std::string_view text, const Option& option) {
+    if (text.empty() || text.size() > kLongestText) return false;
+    if (option.choices.empty()) return true;
+    const auto choices = split(option.choices, '|');
+    return std::find(choices.begin(), choices.end(), text) != choices.end();
+}
+
+/// Levenshtein's distance: letters to put in, leave out or replace.
+std::size_t typing_errors(const std::string_view a, const std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::span<const Option> options() { return kOptions; }
+
+const Option* find_option(const std::string_view name) {
+    const auto found =
+        std::find_if(kOptions.begin(), kOptions.end(), [&](const Option& option) { return option.name == name; });
+    return found == kOptions.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> environment_names(const Option& option) {
+    std::string name = "TUFTWAVE_";
+    for (const char c : option.name) name += c == '-' ? '_' : static_cast<char>(std::toupper(c));
+    std::vector<std::string> names{name};
+    if (!option.also_env.empty()) names.emplace_back(option.also_env);
+    return names;
+}
+
+std::string allowed(const Option& option) {
+    const std::string range = " from " + to_text(option.minimum) + " to " + to_text(option.maximum);
+    return std::visit(Overloaded{[&](int Config::*) { return "a whole number" + range; },
+                                 [&](double Config::*) { return "a number" + range; },
+                                 [&](std::string Config::*) -> std::string {
+                                     if (option.choices.empty())
+                                         return "a text of 1 to " + std::to_string(kLongestText) + " characters";
+                                     return "one of " + std::string(option.choices);
+                                 }},
+                      option.field);
+}
+
+std::string value_text(const Option& option, const Config& config) {
+    return std::visit(Overloaded{[&](int Config::*field) { return std::to_string(config.*field); },
+                                 [&](double Config::*field) { return to_text(config.*field); },
+                                 [&](std::string Config::*field) { return config.*field; }},
+                      option.field);
+}
+
+bool set(const Option& option, const std::string_view text, Config& config) {
+    return std::visit(Overloaded{[&](std::string Config::*field) {
+                                     if (!is_allowed_text(text, option)) return false;
+                                     config.*field = text;
+                                     return true;
+                                 },
+                                 [&]<class Number>(Number Config::*field) {
+                                     const std::optional<Number> value = number_within<Number>(text, option);
+                                     if (value) config.*field = *value;
+                                     return value.has_value();
+                                 }},
+                      option.field);
+}
+
+std::optional<std::string> nearest(const std::string_view word, const std::vector<std::string>& candidates) {
+    std::optional<std::string> best;
+    std::size_t fewest = kTypingErrors + 1;
+    for (const std::string& candidate : candidates) {
+        const std::size_t errors = typing_errors(word, candidate);
+        if (errors >= fewest) continue;
+        fewest = errors;
+        best = candidate;
+    }
+    return best;
+}
+
+}  // namespace tuftwave::server

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tuftwave::server::gltf {
+
+/// How a document is packed: one binary file, or JSON with its buffer embedded.
+enum class Container { kGlb, kGltf };
+
+/// A glTF 2.0 document in the making, with one buffer that is written in place. The only user of tinygltf.
+/// Order of use: reserve views and accessors, allocate, fill, write.
+class Document {
+  public:
+    enum class Purpose { kAttribute, kIndex, kData };  ///< what a view holds, which decides its target and stride
+    enum class Component { kU16 = 5123, kU32 = 5125, kF32 = 5126 };
+    enum class Shape { kScalar, kVec2, kVec3, kVec4, kMat4 };
+
+    struct Accessor {
+        int view = 0;
+        std::size_t offset = 0;  ///< bytes into the view, a multiple of 4
+        std::size_t count = 0;
+        Component component = Component::kF32;
+        Shape shape = Shape::kScalar;
+    };
+    struct Node {
+        std::string name;
+        std::optional<std::array<double, 3>> translation;
+        std::optional<std::array<double, 4>> rotation;  ///< x y z w
+        std::optional<int> mesh, skin;
+    };
+    struct Primitive {
+        int positions, normals, uvs, joints, weights, indices, material;  ///< accessors, and a material
+    };
+    struct Channel {
+        int node, rotations;  ///< a node, and the accessor of its keys
+    };
+
+    explicit Document(const std::string& generator);
+    ~Document();
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    /// @param stride  bytes per element of an attribute view
+    int add_view(Purpose purpose, std::size_t bytes, std::size_t stride = 0);
+    int add_accessor(const Accessor& accessor);
+    int add_node(const Node& node);
+    void add_child(int parent, int child);
+    void add_to_scene(int node);
+    int add_material(const std::string& name, std::array<double, 3> linear_color);
+    int add_mesh(const std::string& name, const Primitive& primitive);
+    int add_skin(const std::vector<int>& joints, int inverse_bind_matrices, int skeleton_root);
+    /// Keys that hold their value until the next one.
+    void add_held_animation(const std::string& name, int times, const std::vector<Channel>& channels,
+                            const nlohmann::json& extras);
+    void set_node_extras(int node, const nlohmann::json& extras);
+    void set_asset_extras(const nlohmann::json& extras);
+
+    /// Makes the buffer; call once, after the last view. Zero-filled.
+    void allocate();
+    /// The bytes of an accessor.
+    std::span<std::byte> bytes(int accessor);
+    template <class T>
+    std::span<T> data(int accessor) {
+        const std::span<std::byte> raw = bytes(accessor);
+        return {reinterpret_cast<T*>(raw.data()), raw.size() / sizeof(T)};
+    }
+    /// Writes an accessor's exact bounds from its data, which must be float32.
+    void set_bounds(int accessor);
+
+    std::string write(Container container) const;
+
+  private:
+    struct Model;
+    std::unique_ptr<Model> model_;
+};
+
+}  // namespace tuftwave::server::gltf

@@ -1,0 +1,69 @@
+#include "gltf/hair_file.hpp"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "gltf/hair_meshes.hpp"
+#include "gltf/names.hpp"
+#include "gltf/skeleton_nodes.hpp"
+#include "tuftwave/elementary.hpp"
+#include "version.hpp"
+
+namespace tuftwave::server::gltf {
+namespace {
+
+const std::string kGenerator = std::string("Tuftwave ") + kVersion;
+
+/// One colour channel from sRGB to linear. @param digits  two hexadecimal digits
+double linear_channel(const std::string& digits) {
+    const double value = std::stoi(digits, nullptr, 16) / 255.0;
+    return value <= 0.04045 ? value / 12.92 : elementary::pow((value + 0.055) / 1.055, 2.4);
+}
+
+std::array<double, 3> linear_color(const std::string& color) {
+    return {linear_channel(color.substr(1, 2)), linear_channel(color.substr(3, 2)), linear_channel(color.substr(5, 2))};
+}
+
+std::vector<std::string> claim_names(std::span<const Chain> chains, const std::string& kind) {
+    Names names;
+    std::vector<std::string> claimed;
+    for (const Chain& chain : chains) claimed.push_back(names.claim(chain.name, kind));
+    return claimed;
+}
+
+}  // namespace
+
+std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
+                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each) {
+    Document document(kGenerator);
+    document.set_asset_extras(asset_extras);
+    const std::vector<std::string> names = claim_names(plan.chains, "tuft");
+    const SkeletonNodes skeleton(document, plan.chains, names);
+    HairMeshes meshes(document, plan);
+    const int material = document.add_material("hair", linear_color(look.color));
+    if (look.layout == Layout::kMerged) {
+        meshes.reserve_merged(skeleton, material);
+    } else {
+        meshes.reserve_per_tuft(names, skeleton, material);
+    }
+    std::optional<HeldClip> clip;
+    if (plan.motion) clip.emplace(document, skeleton, plan.motion->schedule, animation_extras);
+
+    document.allocate();
+    meshes.fill(for_each);
+    if (clip) clip->fill(plan.motion->chains);
+    return document.write(container);
+}
+
+std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,
+                      const nlohmann::json& animation_extras, Container container) {
+    Document document(kGenerator);
+    document.set_asset_extras(asset_extras);
+    const SkeletonNodes skeleton(document, chains, claim_names(chains, "chain"));
+    HeldClip clip(document, skeleton, motion.schedule, animation_extras);
+    document.allocate();
+    clip.fill(motion.chains);
+    return document.write(container);
+}
+
+}  // namespace tuftwave::server::gltf

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "gltf/document.hpp"
+#include "tuftwave/hairstyle.hpp"
+
+namespace tuftwave::server::gltf {
+
+/// One mesh per tuft, each with a skin of its own, or all tufts in one mesh.
+enum class Layout { kPerTuft, kMerged };
+
+/// What a hair file looks like besides its geometry.
+struct Look {
+    Layout layout = Layout::kPerTuft;
+    std::string color = "#8a5a44";  ///< sRGB, # and six hexadecimal digits
+};
+
+/// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its held clip.
+/// @param asset_extras      goes into asset.extras
+/// @param animation_extras  goes into the clip's extras; ignored when nothing moves
+/// Deterministic for any `for_each`.
+std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
+                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each);
+
+/// Writes a skeleton and its held clip, without meshes.
+std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,
+                      const nlohmann::json& animation_extras, Container container);
+
+}  // namespace tuftwave::server::gltf

@@ -1,0 +1,93 @@
+#include "gltf/skeleton_nodes.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gltf/key_times.hpp"
+#include "gltf/names.hpp"
+
+namespace tuftwave::server::gltf {
+namespace {
+
+/// Through float32, which is what glTF's readers keep, and so with half the digits.
+double as_float(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+std::array<double, 3> to_array(const Vec3& v) { return {as_float(v.x), as_float(v.y), as_float(v.z)}; }
+std::array<double, 4> to_array(const Quat& q) { return {as_float(q.x), as_float(q.y), as_float(q.z), as_float(q.w)}; }
+
+}  // namespace
+
+SkeletonNodes::SkeletonNodes(Document& document, std::span<const Chain> chains, const std::vector<std::string>& names)
+    : document_(document), root_(document.add_node({"hair_root", {}, {}, {}, {}})) {
+    document_.add_to_scene(root_);
+    for (std::size_t i = 0; i < chains.size(); ++i) add_chain(chains[i], names[i]);
+}
+
+void SkeletonNodes::add_chain(const Chain& chain, const std::string& name) {
+    ChainNodes nodes;
+    int parent = root_;
+    Quat global;
+    Vec3 origin;
+    if (!(chain.parent_rotation == Quat{})) {
+        global = normalized(chain.parent_rotation);
+        parent = document_.add_node({Names::joint(name, 0), {}, to_array(global), {}, {}});
+        document_.add_child(root_, parent);
+    }
+    for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
+        const Vec3 translation = rotated(inverse(global), chain.nodes[i] - origin);
+        const Quat rotation = normalized(chain.rest_rotations[i]);
+        const int node =
+            document_.add_node({Names::joint(name, i + 1), to_array(translation), to_array(rotation), {}, {}});
+        document_.add_child(parent, node);
+        if (i + 1 < chain.nodes.size()) nodes.joints.push_back(node);
+        parent = node;
+        global = global * rotation;
+        origin = chain.nodes[i];
+    }
+    nodes.tip = parent;
+    chains_.push_back(std::move(nodes));
+}
+
+HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, const Schedule& schedule,
+                   const nlohmann::json& extras)
+    : document_(document), schedule_(schedule) {
+    const std::size_t keys = static_cast<std::size_t>(schedule.pictures) + 1;
+    const std::size_t key_bytes = keys * 4 * sizeof(float);
+    std::size_t joints = 0;
+    for (const ChainNodes& chain : skeleton.chains()) joints += chain.joints.size();
+    times_ = document.add_accessor({document.add_view(Document::Purpose::kData, keys * sizeof(float)), 0, keys,
+                                    Document::Component::kF32, Document::Shape::kScalar});
+    const int view = document.add_view(Document::Purpose::kData, joints * key_bytes);
+    std::vector<Document::Channel> channels;
+    for (const ChainNodes& chain : skeleton.chains()) {
+        std::vector<int>& accessors = keys_.emplace_back();
+        for (const int node : chain.joints) {
+            accessors.push_back(document.add_accessor(
+                {view, channels.size() * key_bytes, keys, Document::Component::kF32, Document::Shape::kVec4}));
+            channels.push_back({node, accessors.back()});
+        }
+    }
+    document.add_held_animation("wave", times_, channels, extras);
+}
+
+void HeldClip::fill(std::span<const ChainMotion> motions) {
+    const std::vector<float> times = key_times(schedule_);
+    std::ranges::copy(times, document_.data<float>(times_).begin());
+    document_.set_bounds(times_);
+    const auto pictures = static_cast<std::size_t>(schedule_.pictures);
+    for (std::size_t c = 0; c < keys_.size(); ++c) {
+        const std::vector<Quat>& rotations = motions[c].rotations;
+        const std::size_t nodes = rotations.size() / pictures;
+        for (std::size_t i = 0; i < keys_[c].size(); ++i) {
+            const std::span<float> out = document_.data<float>(keys_[c][i]);
+            for (std::size_t key = 0; key <= pictures; ++key) {
+                const Quat& q = rotations[key % pictures * nodes + i];  // the closing key is picture 0 again
+                const float parts[] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
+                                       static_cast<float>(q.w)};
+                std::ranges::copy(parts, out.begin() + static_cast<std::ptrdiff_t>(4 * key));
+            }
+        }
+    }
+}
+
+}  // namespace tuftwave::server::gltf

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <tuple>
+
+namespace tuftwave::server {
+
+/// The worker pool and log as the metrics show them.
+struct Gauges {
+    std::uint64_t workers = 0, busy = 0, queued = 0, capacity = 0;
+    std::uint64_t dropped_log_lines = 0;
+};
+
+/// Counters of the service in Prometheus' text form. Thread-safe.
+class Metrics {
+  public:
+    /// One answered request. @param route  the route's template, or "none"
+    void count_request(const std::string& route, const std::string& method, int status, double seconds,
+                       std::size_t bytes_out);
+
+    /// Time that an accepted computation waited for a worker.
+    void count_queue_wait(double seconds);
+
+    void request_begins();
+    void request_ends();
+
+    /// Prometheus text format 0.0.4.
+    std::string text(const Gauges& gauges) const;
+
+  private:
+    /// Upper bounds of the duration buckets, seconds.
+    static constexpr std::array<double, 11> kBounds{0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 1, 2.5, 10};
+    struct Histogram {
+        std::array<std::uint64_t, kBounds.size() + 1> buckets{};
+        double sum = 0;
+
+        void add(double seconds);
+        void write(std::string& out, const std::string& name, const std::string& labels) const;
+    };
+
+    mutable std::mutex mutex_;
+    std::map<std::tuple<std::string, std::string, int>, std::uint64_t> requests_;  // route, method, status
+    std::map<std::string, Histogram> durations_;                                   // route
+    Histogram queue_wait_;
+    std::uint64_t bytes_out_ = 0, in_flight_ = 0;
+};
+
+}  // namespace tuftwave::server

@@ -1,0 +1,58 @@
+#include "api/json_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace tuftwave::server {
+namespace {
+
+std::string outcome(const std::string& body, const JsonLimits& limits = {}) {
+    const auto parsed = parse_guarded(body, limits);
+    const auto* problem = std::get_if<Problem>(&parsed);
+    return problem == nullptr ? "parsed" : slug(problem->code);
+}
+
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+
+TEST(JsonGuard, AcceptsWhatIsJson) {
+    for (const char* const body :
+         {"{}", "[]", "1", "\"\\\"{[\"", R"({"a":{"a":[1,"}",{"a":null}]},"b":"\\"})", " [1 , 2 ] \n"}) {
+        EXPECT_EQ(outcome(body), "parsed") << body;
+    }
+}
+
+TEST(JsonGuard, RefusesWhatIsNotJson) {
+    for (const char* const body : {"", "{", "[1,]", "{\"a\"}", "NaN", "[Infinity]", "\"open", "{\"a\":1}}", "[1]x",
+                                   "'a'", "\"\xff\"", "[1e999]", "\"\\"}) {
+        EXPECT_EQ(outcome(body), "malformed") << body;
+    }
+}
+
+TEST(JsonGuard, NestsThirtyTwoDeepAndNoDeeper) {
+    EXPECT_EQ(outcome(nested(32)), "parsed");
+    EXPECT_EQ(outcome(nested(33)), "too_deep");
+    EXPECT_EQ(outcome(std::string(1'000'000, '[')), "too_deep");          // a copy of this would overflow the stack
+    EXPECT_EQ(outcome("[\"" + std::string(100, '[') + "\"]"), "parsed");  // brackets in text are no nesting
+}
+
+TEST(JsonGuard, FindsDuplicateKeysInTheSameObjectOnly) {
+    EXPECT_EQ(outcome(R"({"a":1,"a":2})"), "duplicate_key");
+    EXPECT_EQ(outcome(R"({"b":[{"a":1},{"a":2}],"a":{"a":3}})"), "parsed");
+    EXPECT_EQ(outcome(R"({"x":{"c":0},"y":[{"a":1,"b":"a","a":2}]})"), "duplicate_key");
+    EXPECT_EQ(outcome(R"({"a":1,"\u0061":2})"), "malformed");  // the same key in disguise
+    EXPECT_EQ(outcome(R"({"a":"b","b":"a"})"), "parsed");      // values are no keys
+}
+
+TEST(JsonGuard, CountsValuesBytesAndKeys) {
+    EXPECT_EQ(outcome("[1,2,3]", {100, 32, 4, 64}), "parsed");
+    EXPECT_EQ(outcome("[1,2,3,4]", {100, 32, 4, 64}), "too_many_values");
+    EXPECT_EQ(outcome("[1,2,3]", {7, 32, 100, 64}), "parsed");
+    EXPECT_EQ(outcome("[1,2,3]", {6, 32, 100, 64}), "too_large");
+    EXPECT_EQ(outcome(R"({"a":1,"b":2})", {100, 32, 100, 2}), "parsed");
+    EXPECT_EQ(outcome(R"({"a":1,"b":2,"c":3})", {100, 32, 100, 2}), "too_many_values");
+}
+
+}  // namespace
+}  // namespace tuftwave::server

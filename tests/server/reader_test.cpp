@@ -1,0 +1,115 @@
+#include "api/reader.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tuftwave::server {
+namespace {
+
+/// Reads one field named "x" of a body and says what came of it: "" when nothing was wrong, else slug and pointer.
+template <class Read>
+std::string outcome(const std::string& body, Read read) {
+    const nlohmann::json json = nlohmann::json::parse(body);
+    FieldProblems problems;
+    const Place root;
+    Fields fields(json, root, problems);
+    read(fields);
+    fields.done();
+    if (problems.empty()) return "";
+    const FieldProblem first = problems.take().front();
+    return std::string(slug(first.code)) + " " + first.pointer;
+}
+
+TEST(Reader, LeavesDefaultsAloneWhereAFieldIsAbsent) {
+    double number = 7;
+    EXPECT_EQ(outcome("{}", [&](Fields& f) { f.number("x", number); }), "");
+    EXPECT_EQ(number, 7);
+}
+
+TEST(Reader, ReadsNumbersAndNothingElseAsNumbers) {
+    double number = 0;
+    const auto read = [&](Fields& f) { f.number("x", number); };
+    EXPECT_EQ(outcome(R"({"x":0.25})", read), "");
+    EXPECT_EQ(number, 0.25);
+    EXPECT_EQ(outcome(R"({"x":-3})", read), "");
+    EXPECT_EQ(number, -3);
+    for (const char* const body : {R"({"x":"1"})", R"({"x":true})", R"({"x":null})", R"({"x":[1]})", R"({"x":{}})"}) {
+        EXPECT_EQ(outcome(body, read), "wrong_type /x") << body;
+    }
+}
+
+TEST(Reader, ReadsWholeNumbersWithoutEverOverflowing) {
+    int whole = 0;
+    const auto read = [&](Fields& f) { f.integer("x", {1, 9}, whole); };
+    EXPECT_EQ(outcome(R"({"x":6.0})", read), "");
+    EXPECT_EQ(whole, 6);
+    EXPECT_EQ(outcome(R"({"x":6.5})", read), "wrong_type /x");
+    for (const char* const body : {R"({"x":0})", R"({"x":10})", R"({"x":1e300})", R"({"x":-1e300})",
+                                   R"({"x":18446744073709551615})", R"({"x":4294967297})"}) {
+        EXPECT_EQ(outcome(body, read), "out_of_range /x") << body;
+    }
+    EXPECT_EQ(whole, 6);
+}
+
+TEST(Reader, NullEmptiesWhatMayBeEmpty) {
+    std::optional<double> number = 1;
+    std::optional<int> whole = 1;
+    std::optional<Vec3> vector = Vec3{};
+    EXPECT_EQ(outcome(R"({"x":null,"y":null,"z":null})",
+                      [&](Fields& f) {
+                          f.number("x", number);
+                          f.integer("y", {0, 9}, whole);
+                          f.vector("z", vector);
+                      }),
+              "");
+    EXPECT_FALSE(number || whole || vector);
+}
+
+TEST(Reader, NamesTheItemThatIsWrong) {
+    std::vector<Vec3> points;
+    const auto read = [&](Fields& f) { f.vectors("x", points); };
+    EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4,5]]})", read), "");
+    EXPECT_EQ(points, (std::vector<Vec3>{{0, 1, 2}, {3, 4, 5}}));
+    EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,"4",5]]})", read), "wrong_type /x/1/1");
+    EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4]]})", read), "wrong_type /x/1");
+    EXPECT_EQ(outcome(R"({"x":{}})", read), "wrong_type /x");
+}
+
+TEST(Reader, FindsFieldsThatNobodyAskedFor) {
+    double number = 0;
+    EXPECT_EQ(outcome(R"({"x":1,"amplitud":2})", [&](Fields& f) { f.number("x", number); }), "unknown_field /amplitud");
+    EXPECT_EQ(outcome(R"({"a/b~c":2})", [](Fields&) {}), "unknown_field /a~1b~0c");
+}
+
+TEST(Reader, SaysWhichChoicesThereAre) {
+    enum class Word { kOn, kOff };
+    constexpr Choices<Word, 2> kWords{{{"on", Word::kOn}, {"off", Word::kOff}}};
+    Word word = Word::kOn;
+    const auto read = [&](Fields& f) { f.choice("x", kWords, word); };
+    EXPECT_EQ(outcome(R"({"x":"off"})", read), "");
+    EXPECT_EQ(word, Word::kOff);
+    EXPECT_EQ(outcome(R"({"x":"Off"})", read), "not_a_choice /x");
+    EXPECT_EQ(outcome(R"({"x":1})", read), "not_a_choice /x");
+}
+
+TEST(Reader, ReadsFrameRatesAsNumbersAndFractions) {
+    FrameRate fps;
+    const auto read = [&](Fields& f) { f.frame_rate("x", fps); };
+    EXPECT_EQ(outcome(R"({"x":30})", read), "");
+    EXPECT_EQ(fps, (FrameRate{30, 1}));
+    EXPECT_EQ(outcome(R"({"x":"24000/1001"})", read), "");
+    EXPECT_EQ(fps, (FrameRate{24000, 1001}));
+    EXPECT_EQ(outcome(R"({"x":23.976})", read), "");
+    EXPECT_EQ(fps, (FrameRate{2997, 125}));
+    for (const char* const text : {"", "/", "24/", "/24", "-24/1", "24/1/1", "abc", "24 ", "1e", "99999999/1"}) {
+        EXPECT_EQ(outcome(nlohmann::json{{"x", text}}.dump(), read), "wrong_type /x") << text;
+    }
+}
+
+TEST(Reader, StopsCollectingAfterSixteenProblems) {
+    FieldProblems problems;
+    for (int i = 0; i < 100; ++i) problems.add({});
+    EXPECT_EQ(problems.take().size(), 16U);
+}
+
+}  // namespace
+}  // namespace tuftwave::server
