@@ -26,7 +26,7 @@ class Corners {
 
   private:
     std::size_t count_;
-    std::array<elementary::SinCos, 64> angles_;  // limits.sides
+    std::array<elementary::SinCos, kMostSides> angles_;
 };
 
 }  // namespace tuftwave

@@ -100,8 +100,6 @@ double Curve::Segment::arc(double t0, double t1) const {
     return sum * (t1 - t0);
 }
 
-bool Curve::is_possible(std::span<const Vec3> points) { return merged(points).size() >= 2; }
-
 double Curve::Segment::parameter(double t0, double t1, double wanted, double whole) const {
     double low = t0, high = t1, t = t0 + wanted / whole * (t1 - t0);
     for (int step = 0; step < kMostNewtonSteps; ++step) {

@@ -60,6 +60,18 @@ Check check_chain(const Chain& chain, const Limits& limits) {
     return chain.cycles ? check_range(*chain.cycles, limits.cycles, "/cycles") : Check{};
 }
 
+Check check_chains(std::span<const Chain> chains, const Limits& limits) {
+    if (Check wrong = check_count(chains.size(), 1, limits.chains, "")) return wrong;
+    std::size_t bones = 0;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        if (Check wrong = check_chain(chains[i], limits)) return within("/" + std::to_string(i), *wrong);
+        bones += chains[i].nodes.size() - 1;
+    }
+    if (bones <= limits.joints) return {};
+    return Error{ErrorCode::kTooMany, "", static_cast<double>(bones),
+                 "at most " + std::to_string(limits.joints) + " bones in all chains", {}, static_cast<double>(limits.joints)};
+}
+
 Chain chain_along(const Curve& curve, int joints) {
     Chain chain;
     const double bone = curve.arc_length() / joints;

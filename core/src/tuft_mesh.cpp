@@ -52,7 +52,7 @@ class VertexWriter {
     Influence influence_{};
 };
 
-using RingPoints = std::array<Vec3, 64>;  // limits.sides
+using RingPoints = std::array<Vec3, kMostSides>;
 
 class TuftMesher {
   public:

@@ -59,7 +59,7 @@ Json ranges_json(const Limits& limits) {
             {"gust_wavelength", to_json(limits.gust_wavelength)},
             {"spread", to_json(limits.spread)},
             {"seed", to_json(kSeedRange)},
-            {"repeat", to_json(kRepeatRange)}};
+            {"repeat", to_json(limits.repeat)}};
 }
 
 constexpr std::string_view kSwaggerPage = R"(<!doctype html>

@@ -47,22 +47,6 @@ std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, co
     return read;
 }
 
-Check check_chains(const MotionRequest& request, const Limits& limits) {
-    if (Check wrong = check_count(request.chains.size(), 1, limits.chains, "/chains")) return wrong;
-    std::size_t joints = 0;
-    for (std::size_t i = 0; i < request.chains.size(); ++i) {
-        if (Check wrong = check_chain(request.chains[i], limits)) return within("/chains/" + std::to_string(i), *wrong);
-        joints += request.chains[i].nodes.size() - 1;
-    }
-    if (joints <= limits.joints) return {};
-    return Error{ErrorCode::kTooMany,
-                 "/chains",
-                 static_cast<double>(joints),
-                 "at most " + std::to_string(limits.joints) + " bones in all chains",
-                 {},
-                 static_cast<double>(limits.joints)};
-}
-
 /// Chains that do not say where outward is take it from the head.
 void set_outward(MotionRequest& request) {
     if (!request.head) return;
@@ -76,7 +60,7 @@ Result<HairMotion> move(MotionRequest& request, const Context& context) {
     if (request.head) {
         if (Check wrong = check_head(*request.head, context.limits)) return within("/head", *wrong);
     }
-    if (Check wrong = check_chains(request, context.limits)) return *wrong;
+    if (Check wrong = check_chains(request.chains, context.limits)) return within("/chains", *wrong);
     set_outward(request);
     Result<Schedule> schedule = make_schedule(request.motion.timing, request.formulas, context.limits);
     if (!schedule) return within("/motion/timing", schedule.error());

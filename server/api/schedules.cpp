@@ -32,7 +32,7 @@ std::variant<ScheduleRequest, Problem> read_request(const nlohmann::json& body, 
         read_timing(timing, place, problems, limits, read.timing);
     });
     read_formulas(fields, read.formulas);
-    fields.integer("repeat", kRepeatRange, read.repeat);
+    fields.integer("repeat", limits.repeat, read.repeat);
     fields.done();
     if (!problems.empty()) return fields_problem(problems.take());
     return read;
@@ -65,8 +65,7 @@ Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
     const auto& wanted = std::get<ScheduleRequest>(read);
     const Result<Schedule> schedule = make_schedule(wanted.timing, wanted.formulas, limits);
     if (!schedule) return to_problem(schedule.error(), "/timing");
-    const auto sheet_frames = static_cast<std::size_t>(schedule->frames) * static_cast<std::size_t>(wanted.repeat);
-    if (const Check wrong = check_count(sheet_frames, 1, limits.sheet_frames, "/repeat")) return to_problem(*wrong);
+    if (const Check wrong = check_repeat(*schedule, wanted.repeat, limits)) return to_problem(*wrong);
     switch (format) {
         case Format::kXdts:
             return formatted(format, sheets::xdts(*schedule, wanted.repeat), "sheet", &*schedule);

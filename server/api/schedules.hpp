@@ -4,9 +4,6 @@
 
 namespace tuftwave::server {
 
-/// Cycles that may be written into one sheet.
-inline constexpr Range kRepeatRange{1, 1'440};
-
 /// POST /v1/schedules: an exposure sheet.
 Answer post_schedules(const Request& request, const Context& context);
 

@@ -297,12 +297,5 @@ TEST(Curve, FacingAwayFromItsOwnLineChangesNothing) {
     EXPECT_EQ(curve.at(0).normal, normal);
 }
 
-TEST(Curve, IsPossibleWhereTwoPointsDiffer) {
-    EXPECT_FALSE(Curve::is_possible(std::vector<Vec3>{}));
-    EXPECT_FALSE(Curve::is_possible(std::vector<Vec3>{{1, 2, 3}}));
-    EXPECT_FALSE(Curve::is_possible(std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}}));
-    EXPECT_TRUE(Curve::is_possible(std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}, {1, 2, 4}}));
-}
-
 }  // namespace
 }  // namespace tuftwave

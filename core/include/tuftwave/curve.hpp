@@ -44,9 +44,6 @@ class Curve {
     /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.
     void face_away_from(const Vec3& center);
 
-    /// Whether two of `points` are far enough apart to make a curve.
-    static bool is_possible(std::span<const Vec3> points);
-
   private:
     struct Segment {
         Vec3 b0, b1, b2, b3;  // Bezier control points

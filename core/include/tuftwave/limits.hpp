@@ -7,6 +7,9 @@
 
 namespace tuftwave {
 
+/// Corners that a ring can have; fixed, because rings are meshed on the stack.
+inline constexpr int kMostSides = 64;
+
 /// A closed range of numbers.
 struct Range {
     double minimum, maximum;
@@ -40,7 +43,7 @@ struct Limits {
     Range twist_deg{-3'600, 3'600};
     Range roll_deg{-360, 360};
     Range joints_per_tuft{1, 64};
-    Range sides{3, 64};
+    Range sides{3, kMostSides};
     Range rings{2, 4'096};
     Range tolerance{1e-5, 1};  ///< metres
     Range amplitude{-100, 100};
@@ -55,6 +58,7 @@ struct Limits {
     Range cycles{1, 11};
     Range gust_wavelength{1e-3, 1e6};  ///< metres
     Range spread{0, 1};
+    Range repeat{1, 1'440};  ///< cycles in a sheet
 };
 
 /// False also for what is not a number.

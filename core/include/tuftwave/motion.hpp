@@ -62,7 +62,8 @@ struct ChainMotion {
 /// Moves every chain: a local rotation per picture and node. Bone lengths never change; the tip keeps its rest
 /// rotation.
 /// @param chains  checked; with one_sided each has `outward`
-/// @errors  those of check_motion, too_many (node poses), degenerate (one_sided without outward), cancelled
+/// @errors  those of check_motion, too_many (node poses), degenerate (one_sided without outward), conflict (a chain's
+///          cycles), cancelled
 /// Cost O(pictures * nodes). Deterministic for any `for_each`.
 /// Source: Furukawa and Nakata 2018, section 2, eq. (1).
 Result<std::vector<ChainMotion>> move_chains(std::span<const Chain> chains, const Motion& motion,

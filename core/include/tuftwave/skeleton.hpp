@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,12 @@ struct Chain {
     std::optional<Vec3> outward;       ///< unit, away from the head at the root; what one_sided needs
 };
 
-/// @errors  too_few, too_many (nodes), not_finite, out_of_range, degenerate (a segment or quaternion without length)
+/// @errors  too_few, too_many (nodes), not_finite, out_of_range, conflict (not one rest rotation per node), degenerate
+///          (a chain or quaternion without length)
 Check check_chain(const Chain& chain, const Limits& limits);
+
+/// @errors  those of check_chain; too_few, too_many (chains, or bones in all)
+Check check_chains(std::span<const Chain> chains, const Limits& limits);
 
 /// A chain of `joints` bones of equal arc length along a curve. Each bone's local +Y runs along it, its +Z along the
 /// curve's normal, so that a chain looks like a chain in tools that draw bones along +Y.

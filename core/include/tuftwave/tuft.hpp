@@ -43,7 +43,8 @@ struct MeshDetail {
     int sides = 12;            ///< corners of a ring
 };
 
-/// @errors  too_few, too_many (points), not_finite, out_of_range, degenerate (no length; root at the head's center)
+/// @errors  too_few, too_many (points), not_finite, out_of_range, degenerate (no length; root at the head's center),
+///          conflict (a flat circle)
 Check check_tuft(const Tuft& tuft, const Head& head, const Limits& limits);
 Check check_detail(const MeshDetail& detail, const Limits& limits);
 
