@@ -60,8 +60,9 @@ class EndSignals {
 /// A listener and the thread that accepts for it.
 class Door {
   public:
-    Door(ListenerOptions options, Listener::Handle handle)
-        : host_(options.host), listener_(std::move(options), std::move(handle), &Service::library_problem) {}
+    Door(ListenerOptions options, Listener::Handle handle, Service& service)
+        : host_(options.host),
+          listener_(std::move(options), std::move(handle), [&service](int status) { return service.refuse(status); }) {}
     ~Door() { close(); }
 
     /// @return  whether it has its port; otherwise it says why not
@@ -106,10 +107,12 @@ int run(const Config& config) {
     Log log(log_options);
     Pool pool(worker_count(config), static_cast<std::size_t>(config.queue));
     Service service(config, pool, log);
-    Door front({config.host, config.port, config.connections, Service::body_limit()},
-               [&](const Request& request) { return service.handle(request); });
-    Door admin({config.admin_host, config.admin_port, kAdminConnections, kAdminBodyBytes},
-               [&](const Request& request) { return service.handle_admin(request); });
+    Door front(
+        {config.host, config.port, config.connections, Service::body_limit()},
+        [&](const Request& request) { return service.handle(request); }, service);
+    Door admin(
+        {config.admin_host, config.admin_port, kAdminConnections, kAdminBodyBytes},
+        [&](const Request& request) { return service.handle_admin(request); }, service);
     if (!front.bind() || !admin.bind()) return 1;
     front.open();
     admin.open();

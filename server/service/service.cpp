@@ -1,6 +1,5 @@
 #include "service/service.hpp"
 
-#include <algorithm>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -28,6 +27,17 @@ std::string method_label(const std::string& method) {
 
 Response plain(int status, std::string text) {
     return {status, "text/plain; charset=utf-8", std::move(text), {{"Cache-Control", "no-store"}}};
+}
+
+/// The problem behind a bare HTTP status.
+Problem http_problem(int status) {
+    constexpr ProblemCode kCodes[] = {
+        ProblemCode::kNotFound,   ProblemCode::kMethodNotAllowed,     ProblemCode::kLengthRequired,  ProblemCode::kTooLarge,
+        ProblemCode::kUriTooLong, ProblemCode::kUnsupportedMediaType, ProblemCode::kHeadersTooLarge, ProblemCode::kBusy};
+    for (const ProblemCode code : kCodes) {
+        if (server::status(code) == status) return {code, "", {}, {}};
+    }
+    return {status >= 500 ? ProblemCode::kInternal : ProblemCode::kBadRequest, "", {}, {}};
 }
 
 /// A computation handed from a connection's thread to a worker. Whoever comes second finds out: a worker that starts
@@ -160,7 +170,7 @@ void Service::note(const Request& request, const Response& response, const std::
 }
 
 Response Service::handle_admin(const Request& request) const {
-    if (request.method != "GET" && request.method != "HEAD") return library_problem(405);
+    if (request.method != "GET" && request.method != "HEAD") return to_response(http_problem(405), "none");
     const Pool::Stats stats = pool_.stats();
     if (request.path == "/livez") return plain(200, "alive\n");
     if (request.path == "/readyz" || request.path == "/healthz") {
@@ -174,18 +184,15 @@ Response Service::handle_admin(const Request& request) const {
         response.content_type = "text/plain; version=0.0.4; charset=utf-8";
         return response;
     }
-    return library_problem(404);
+    return to_response(http_problem(404), "none");
 }
 
-Response Service::library_problem(int status) {
-    constexpr ProblemCode kCodes[] = {ProblemCode::kNotFound,        ProblemCode::kMethodNotAllowed,
-                                      ProblemCode::kLengthRequired,  ProblemCode::kTooLarge,
-                                      ProblemCode::kUriTooLong,      ProblemCode::kUnsupportedMediaType,
-                                      ProblemCode::kHeadersTooLarge, ProblemCode::kBusy};
-    const auto code = std::find_if(std::begin(kCodes), std::end(kCodes),
-                                   [&](ProblemCode candidate) { return server::status(candidate) == status; });
-    const ProblemCode fallback = status >= 500 ? ProblemCode::kInternal : ProblemCode::kBadRequest;
-    return to_response({code == std::end(kCodes) ? fallback : *code, "", {}, {}}, "none");
+Response Service::refuse(int status) {
+    const std::string id = next_id();
+    Response response = to_response(http_problem(status), id);
+    response.headers.emplace_back("Request-Id", id);
+    note({}, response, id, {}, 0);
+    return response;
 }
 
 }  // namespace tuftwave::server

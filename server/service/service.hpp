@@ -30,8 +30,8 @@ class Service {
     /// Makes /readyz say that no new work is wanted; requests that still come are answered.
     void start_draining() { is_draining_ = true; }
 
-    /// The answer where the HTTP library itself refuses a request.
-    static Response library_problem(int status);
+    /// The answer where a request is refused before it is complete, by its framing or by the HTTP library.
+    Response refuse(int status);
 
     /// The largest body that a request may have, bytes.
     static std::size_t body_limit();

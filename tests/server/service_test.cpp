@@ -116,13 +116,14 @@ TEST_F(ServiceTest, OptionsNamesTheMethods) {
     EXPECT_EQ(header_of(response, "Allow"), "GET, HEAD, POST, OPTIONS");
 }
 
-TEST_F(ServiceTest, TheLibrarysOwnErrorsAreProblemsToo) {
+TEST_F(ServiceTest, WhatIsRefusedBeforeItIsCompleteIsAProblemToo) {
     for (const int status : {400, 404, 405, 411, 413, 414, 415, 431, 500, 503}) {
-        const Response response = Service::library_problem(status);
+        const Response response = service.refuse(status);
         EXPECT_EQ(response.status, status);
         EXPECT_EQ(response.content_type, "application/problem+json");
+        EXPECT_EQ(header_of(response, "Request-Id").size(), 16U);
     }
-    EXPECT_EQ(Service::library_problem(418).status, 400);
+    EXPECT_EQ(service.refuse(418).status, 400);
 }
 
 }  // namespace
