@@ -1,0 +1,91 @@
+"""The same request gives the same bytes, however many workers there are, and so does the recipe that a file carries."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Any
+
+import contract
+from service import Service
+from support import ServiceTest, glb_parts
+
+WORKERS = (1, 2, 4, 16)
+FORMATS = ("glb", "gltf", "json", "xdts", "csv")
+
+
+def hair(copies: int) -> dict[str, Any]:
+    """The example with its tufts repeated and their phases scattered: enough to keep every worker busy."""
+    body = contract.example("hairstyles")
+    body["tufts"] = [{**tuft, "diameter": 20 + i} for i in range(copies) for tuft in body["tufts"]]
+    body["motion"]["phase"] = {"spread": 0.3, "seed": 9007199254740991, "gust_wavelength": 0.37}
+    return body
+
+
+class Determinism(ServiceTest):
+    def test_the_number_of_workers_changes_no_byte(self) -> None:
+        bodies = {"per tuft": hair(8), "merged": {**hair(8), "mesh": {"layout": "merged", "sides": 7}}}
+        hashes: dict[str, dict[int, str]] = {}
+        for workers in WORKERS:
+            with Service(self.program, "--workers", str(workers)) as service:
+                for name, body in bodies.items():
+                    for word in FORMATS:
+                        answer = service.post(f"/v1/hairstyles?format={word}", body)
+                        self.assertEqual(answer.status, 200, answer.body[:300])
+                        hashes.setdefault(f"hairstyles {name} {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
+                for word in ("json", "glb", "gltf"):
+                    answer = service.post(f"/v1/motions?format={word}", contract.example("motions"))
+                    hashes.setdefault(f"motions {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
+        for what, by_workers in hashes.items():
+            with self.subTest(what):
+                self.assertEqual(len(set(by_workers.values())), 1, by_workers)
+
+    def test_asking_again_changes_no_byte(self) -> None:
+        for op in contract.posts():
+            for word in contract.formats(op):
+                with self.subTest(f"{op.path} {word}"):
+                    answers = {self.service.post(f"{op.path}?format={word}", contract.example(op.what["operationId"])).body for _ in range(3)}
+                    self.assertEqual(len(answers), 1)
+
+    def test_the_order_and_spelling_of_a_body_change_no_byte(self) -> None:
+        body = contract.example("hairstyles")
+        turned = {name: dict(reversed(value.items())) if isinstance(value, dict) else value for name, value in reversed(body.items())}
+        self.assertEqual(self.service.post("/v1/hairstyles", turned).body, self.service.post("/v1/hairstyles", body).body)
+
+    def test_the_recipe_in_a_file_makes_the_same_file(self) -> None:
+        for name, change in RECIPES.items():
+            with self.subTest(name):
+                body = contract.example("hairstyles")
+                change(body)
+                first = self.service.post("/v1/hairstyles", body)
+                self.assertEqual(first.status, 200, first.body[:300])
+                recipe = glb_parts(first.body)[0]["asset"]["extras"]["tuftwave"]["hairstyle"]
+                self.assertEqual(contract.faults(recipe, contract.named("HairstyleRequest")), [])
+                for word in FORMATS if "motion" in recipe else ("glb", "gltf", "json"):
+                    asked = self.service.post(f"/v1/hairstyles?format={word}", body).body
+                    again = self.service.post(f"/v1/hairstyles?format={word}", recipe).body
+                    self.assertEqual(hashlib.sha256(asked).hexdigest(), hashlib.sha256(again).hexdigest(), word)
+
+
+def timing(**fields: Any) -> Any:
+    return lambda body: body["motion"]["timing"].update(fields)
+
+
+RECIPES = {
+    "the example": lambda body: None,
+    "without motion": lambda body: body.pop("motion"),
+    "only points": lambda body: (body.clear(), body.update(tufts=[{"points": [[0, 0.1, 0.05], [0, 0.05, 0.1]]}])),
+    "a fraction": timing(fps="24000/1001"),
+    "a fraction not in lowest terms": timing(fps="48000/2000"),
+    "a decimal rate": timing(fps=23.976),
+    "a decimal rate of many digits": timing(fps=23.976023),
+    "all of the motion": lambda body: body["motion"].update(
+        mode="absolute", one_sided=False, droop="keep", lift=0.75, up=[0.1, 1, -0.2], wind=[0.3, 0.1, -2],
+        phase={"step": "picture", "gust_wavelength": 0.123456789012345, "spread": 1, "seed": 9007199254740991, "cycles": 2}),
+    "a head on its side": lambda body: (body["head"].update(up=[1, 0, 0], front=[0, 0, -1], center=[0, -0.02, 1e-17]), body["motion"].update(wind=[0, 1, 0])),
+    "all of a tuft": lambda body: body["tufts"][0].update(
+        taper="round", section="ellipse", flatness=1 / 3, twist_deg=-720.5, roll_deg=1e-7, joints=64, phase=-999.999, cycles=2, widest_at=100, diameter=100 / 3),
+    "a name that no tool keeps": lambda body: body["tufts"][0].update(name="\u524d\u9aea \"\\/\n\u0000 <b>"),
+    "a coarse mesh": lambda body: body.update(mesh={"rings": 2, "sides": 3, "layout": "merged", "color": "#ABCDEF", "tolerance": 0.5}),
+    "as printed": lambda body: body.update(formulas="as_printed"),
+    "numbers at the edge": lambda body: body["tufts"][0]["points"].__setitem__(1, [0.1 + 0.2, -0.0, 5e-324]),
+}

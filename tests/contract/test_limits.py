@@ -1,0 +1,127 @@
+"""/v1/limits and openapi.yaml tell the same numbers, and leave none out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import contract
+from support import ServiceTest
+from test_openapi import REQUEST_SCHEMAS
+
+# Served range: the fields of openapi.yaml that it holds for.
+RANGES = {
+    "coordinate": ["Coordinate"],
+    "root_depth": ["Head/root_depth"],
+    "diameter_at_100": ["Head/diameter_at_100"],
+    "diameter": ["Tuft/diameter"],
+    "widest_at": ["Tuft/widest_at"],
+    "flatness": ["Tuft/flatness"],
+    "twist_deg": ["Tuft/twist_deg"],
+    "roll_deg": ["Tuft/roll_deg"],
+    "joints": ["Tuft/joints"],
+    "sides": ["MeshDetail/sides"],
+    "rings": ["MeshDetail/rings"],
+    "tolerance": ["MeshDetail/tolerance"],
+    "amplitude": ["Wave/amplitude"],
+    "tip_exponent": ["Wave/tip_exponent"],
+    "period": ["Period"],
+    "fps": ["Timing/fps/oneOf/0"],
+    "hold": ["Hold"],
+    "lift": ["Motion/lift"],
+    "phase": ["ChainPhase"],
+    "cycles": ["ChainCycles", "Phasing/cycles"],
+    "gust_wavelength": ["Phasing/gust_wavelength"],
+    "spread": ["Phasing/spread"],
+    "seed": ["Phasing/seed"],
+    "repeat": ["Repeat"],
+}
+# Of these the magnitude is served: zero and what is near it are refused on both sides.
+MAGNITUDES = {"spatial_period": "Wave/spatial_period", "lightness": "Wave/lightness"}
+# Served count: field and keyword of openapi.yaml.
+COUNTS = {
+    "tufts": [("TuftList", "maxItems")],
+    "points_per_tuft": [("Tuft/points", "maxItems")],
+    "chains": [("MotionsRequest/chains", "maxItems")],
+    "nodes_per_chain": [("Chain/nodes", "maxItems"), ("Chain/rest_rotations", "maxItems")],
+    "joints": [("HairstyleAnswer/totals/joints", "maximum")],
+    "vertices": [("HairstyleAnswer/totals/vertices", "maximum")],
+    "triangles": [("HairstyleAnswer/totals/triangles", "maximum")],
+    "rings_per_tuft": [("MeshDetail/rings", "maximum")],
+    "frames": [("Schedule/frames", "maximum")],
+    "pictures": [("Schedule/pictures", "maximum")],
+}
+# Limits of a whole request, which no keyword of a schema can state.
+OF_WHOLE_REQUESTS = {"points", "node_poses", "sheet_frames"}
+# The smallest sizes of lists follow from what the lists are.
+SMALLEST_SIZES = {"Vec3": 3, "Rotation": 4, "TuftList": 1, "Tuft/points": 2, "Chain/nodes": 2, "Chain/rest_rotations": 2, "MotionsRequest/chains": 1}
+FIXED_SIZES = {"Vec3": 3, "Rotation": 4}
+
+
+def field(place: str) -> dict[str, Any]:
+    """A schema by the short names of the tables above: Schema/property, Schema/property/keyword/index."""
+    name, *rest = place.split("/")
+    schema: Any = contract.DOCUMENT["components"]["schemas"][name]
+    for part in rest:
+        if isinstance(schema, dict) and part in schema.get("properties", {}):
+            schema = schema["properties"][part]
+        else:
+            schema = schema[int(part)] if isinstance(schema, list) else schema[part]
+    return schema
+
+
+def short(place: str) -> str:
+    return place.removeprefix("#/components/schemas/").replace("/properties/", "/")
+
+
+def request_parts() -> list[tuple[str, dict[str, Any]]]:
+    return [(short(place), schema) for place, schema in contract.schemas()
+            if place.startswith("#/components/schemas/") and place.split("/")[3] in REQUEST_SCHEMAS and "/not" not in place]
+
+
+class Limits(ServiceTest):
+    def setUp(self) -> None:
+        self.limits = self.service.get("/v1/limits").json()
+
+    def test_served_ranges_are_the_documented_ones(self) -> None:
+        for name, places in RANGES.items():
+            for place in places:
+                with self.subTest(name, place=place):
+                    documented = field(place)
+                    self.assertEqual(self.limits["ranges"][name], {"minimum": documented["minimum"], "maximum": documented["maximum"]})
+
+    def test_served_magnitudes_are_the_documented_ones(self) -> None:
+        for name, place in MAGNITUDES.items():
+            with self.subTest(name):
+                served, documented = self.limits["ranges"][name], field(place)
+                self.assertEqual((documented["minimum"], documented["maximum"]), (-served["maximum"], served["maximum"]))
+                self.assertEqual(documented["not"], {"exclusiveMinimum": -served["minimum"], "exclusiveMaximum": served["minimum"]})
+
+    def test_served_counts_are_the_documented_ones(self) -> None:
+        for name, places in COUNTS.items():
+            for place, keyword in places:
+                with self.subTest(name, place=place):
+                    self.assertEqual(self.limits["counts"][name], field(place)[keyword])
+
+    def test_nothing_is_served_that_is_not_documented(self) -> None:
+        self.assertEqual(set(self.limits["ranges"]), RANGES.keys() | MAGNITUDES.keys())
+        self.assertEqual(set(self.limits["counts"]), COUNTS.keys() | OF_WHOLE_REQUESTS)
+
+    def test_nothing_is_documented_that_is_not_served(self) -> None:
+        ranges = {place for places in RANGES.values() for place in places} | set(MAGNITUDES.values())
+        sizes = {place for places in COUNTS.values() for place, keyword in places if keyword == "maxItems"} | FIXED_SIZES.keys()
+        for place, schema in request_parts():
+            with self.subTest(place):
+                if "minimum" in schema or "maximum" in schema:
+                    self.assertIn(place, ranges)
+                if "maxItems" in schema:
+                    self.assertIn(place, sizes)
+                if "minItems" in schema:
+                    self.assertEqual(schema["minItems"], SMALLEST_SIZES[place])
+
+    def test_sums_are_larger_than_their_parts(self) -> None:
+        counts = self.limits["counts"]
+        self.assertGreaterEqual(counts["points"], counts["points_per_tuft"])
+        self.assertGreaterEqual(counts["sheet_frames"], counts["frames"])
+        self.assertGreaterEqual(counts["node_poses"], counts["nodes_per_chain"] * counts["pictures"])
+
+

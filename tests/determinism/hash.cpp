@@ -1,0 +1,227 @@
+// Prints a hash of every kind of result that core has, one per line: compare.sh builds this in several ways and all
+// must print the same. `hash libm` prints a hash of the system's own functions instead, which may differ.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "tuftwave/elementary.hpp"
+#include "tuftwave/hairstyle.hpp"
+#include "tuftwave/quality.hpp"
+#include "tuftwave/random.hpp"
+
+namespace tuftwave {
+namespace {
+
+/// FNV-1a over the bits of numbers.
+class Hash {
+  public:
+    void add(std::uint64_t bits) {
+        for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ (bits >> 8 * byte & 0xff)) * 0x100000001b3;
+    }
+    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(const Vec3& v) {
+        for (const double part : {v.x, v.y, v.z}) add(part);
+    }
+    void add(const Quat& q) {
+        for (const double part : {q.x, q.y, q.z, q.w}) add(part);
+    }
+    template <class Number>
+    void add_all(std::span<const Number> numbers) {
+        for (const Number number : numbers) add(static_cast<double>(number));
+    }
+    void print(const std::string& what) const {
+        std::printf("%-32s %016llx\n", what.c_str(), static_cast<unsigned long long>(value_));
+    }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+/// Numbers from core's own generator: those of the standard library's distributions differ between libraries.
+class Numbers {
+  public:
+    explicit Numbers(std::uint32_t seed) : seed_(seed) {}
+    double between(double low, double high) {
+        const auto words = philox4x32({next_++, 0, 0, 0}, {seed_, 0});
+        return low + (high - low) * unit_interval(words[0], words[1]);
+    }
+    int below(int count) { return static_cast<int>(between(0, count)); }
+    Vec3 in_cube(double half) {
+        const double x = between(-half, half), y = between(-half, half), z = between(-half, half);
+        return {x, y, z};
+    }
+
+  private:
+    std::uint32_t seed_, next_ = 0;
+};
+
+void hash_elementary() {
+    constexpr int kCount = 200'000;
+    const auto print = [](const char* what, double low, double high,
+                          const std::function<double(double, double)>& function) {
+        Numbers numbers(1);
+        Hash hash;
+        for (int i = 0; i < kCount; ++i) {
+            const double a = numbers.between(low, high), b = numbers.between(-8, 8);
+            hash.add(function(a, b));
+        }
+        hash.print(what);
+    };
+    print("sin", -1e6, 1e6, [](double a, double) { return elementary::sin(a); });
+    print("cos", -7, 7, [](double a, double) { return elementary::cos(a); });
+    print("atan2", -9, 9, [](double a, double b) { return elementary::atan2(a, b); });
+    print("acos", -1, 1, [](double a, double) { return elementary::acos(a); });
+    print("exp", -745, 709, [](double a, double) { return elementary::exp(a); });
+    print("log", 1e-300, 1e3, [](double a, double) { return elementary::log(a); });
+    print("pow", 0, 40, [](double a, double b) { return elementary::pow(a, b); });
+}
+
+void hash_libm() {
+    Numbers numbers(1);
+    Hash hash;
+    for (int i = 0; i < 500'000; ++i) {
+        const double a = numbers.between(0, 40), b = numbers.between(-8, 8);
+        for (const double result :
+             {std::sin(a), std::cos(b), std::atan2(a, b), std::exp(b), std::log(a), std::pow(a, b)})
+            hash.add(result);
+    }
+    hash.print("libm");
+}
+
+constexpr Taper kTapers[] = {Taper::kSine, Taper::kLinear, Taper::kSmooth, Taper::kRound};
+
+/// A stroke that wanders outwards from a root on a head of 10 cm radius. @param step  metres between points, at most
+Tuft wandering_tuft(Numbers& numbers, double step) {
+    Tuft tuft;
+    const Vec3 outward = normalized(numbers.in_cube(1) + Vec3{0, 1.2, 0});
+    tuft.points.push_back(0.1 * outward);
+    for (int i = 0, count = 1 + numbers.below(12); i < count; ++i)
+        tuft.points.push_back(tuft.points.back() + 0.5 * step * outward + numbers.in_cube(step));
+    tuft.diameter = numbers.between(1, 100);
+    tuft.widest_at = numbers.below(8) == 0 ? 100 : numbers.between(1, 100);
+    tuft.taper = kTapers[numbers.below(4)];
+    if (numbers.below(2) == 0) {
+        tuft.section = Section::kEllipse;
+        tuft.flatness = numbers.between(0, 0.98);
+    }
+    tuft.twist_deg = numbers.between(-720, 720);
+    tuft.roll_deg = numbers.between(-360, 360);
+    tuft.joints = 1 + numbers.below(12);
+    tuft.phase = numbers.between(-9, 9);
+    return tuft;
+}
+
+Hairstyle hairstyle_of(std::uint32_t seed, double step) {
+    Numbers numbers(seed);
+    Hairstyle hairstyle;
+    for (int i = 0; i < 40; ++i) hairstyle.tufts.push_back(wandering_tuft(numbers, step));
+    hairstyle.motion.emplace();
+    return hairstyle;
+}
+
+void add_mesh(Hash& hash, const Mesh& mesh) {
+    for (const std::vector<float>* numbers : {&mesh.positions, &mesh.normals, &mesh.uvs, &mesh.weights})
+        hash.add_all(std::span(*numbers));
+    hash.add_all(std::span(mesh.joints));
+    hash.add_all(std::span(mesh.indices));
+}
+
+void print_plan(const std::string& what, const Hairstyle& hairstyle) {
+    const Result<HairPlan> plan = plan_hairstyle(hairstyle, Limits{}, InOrder(), std::stop_token{});
+    if (!plan) {
+        std::printf("%-32s refused at %s\n", what.c_str(), plan.error().field.c_str());
+        return;
+    }
+    Hash meshes, motions;
+    for (std::size_t i = 0; i < plan->tufts.size(); ++i) {
+        add_mesh(meshes, to_mesh(plan->tufts[i]));
+        const Chain& chain = plan->chains[i];
+        const ChainMotion& moved = plan->motion->chains[i];
+        for (const Vec3& node : chain.nodes) meshes.add(node);
+        for (const Quat& rotation : moved.rotations) motions.add(rotation);
+        for (const Vec3& position : node_positions(chain, std::span(moved.rotations).first(chain.nodes.size())))
+            motions.add(position);
+        motions.add(largest_step(chain, moved));
+    }
+    meshes.print(what + " meshes");
+    motions.print(what + " motions");
+}
+
+void hash_meshes() {
+    for (const auto& [name, step] : {std::pair{"smooth", 0.03}, {"tight", 0.004}, {"wide", 30.0}}) {
+        Hairstyle hairstyle = hairstyle_of(7, step);
+        if (step > 1) hairstyle.mesh.tolerance = 0.3;
+        print_plan(name, hairstyle);
+        hairstyle.mesh.rings = 17;
+        hairstyle.mesh.sides = 5;
+        print_plan(std::string(name) + ", 17 rings of 5", hairstyle);
+    }
+}
+
+void hash_motions() {
+    Hairstyle hairstyle = hairstyle_of(11, 0.03);
+    Motion& motion = *hairstyle.motion;
+    const auto with = [&](const char* what, auto change) {
+        const Motion before = motion;
+        change();
+        print_plan(what, hairstyle);
+        motion = before;
+    };
+    with("one-sided", [&] { motion.one_sided = true; });
+    with("absolute", [&] { motion.mode = Mode::kAbsolute; });
+    with("absolute, half lifted", [&] { motion.mode = Mode::kAbsolute, motion.lift = 0.5; });
+    with("lifted, drooping", [&] { motion.lift = 0.3, motion.droop = Droop::kKeep; });
+    with("gust and scatter", [&] { motion.phase = {PhaseStep::kFree, 0.37, 0.8, 9007199254740991, 1}; });
+    with("whole pictures", [&] { motion.phase = {PhaseStep::kPicture, 0.37, 0.8, 1, 2}; });
+    with("backwards, wild", [&] { motion.wave = {100, -0.05, -0.05, 8}; });
+    with("by frame, NTSC", [&] {
+        motion.timing = {0.8, {24000, 1001}, 3, ShortHolds::kSpread, Sampling::kByFrame};
+        motion.wind = {0.3, -0.2, -5};
+    });
+}
+
+void hash_schedules_and_quality() {
+    Numbers numbers(3);
+    Hash schedules, crossings;
+    for (int i = 0; i < 20'000; ++i) {
+        Timing timing;
+        timing.period = numbers.between(0.01, 3);
+        timing.fps = to_frame_rate(numbers.between(1, 240));
+        timing.hold = 1 + numbers.below(24);
+        timing.short_holds = numbers.below(2) == 0 ? ShortHolds::kLast : ShortHolds::kSpread;
+        const Result<Schedule> schedule = make_schedule(timing, Formulas::kCorrected, Limits{});
+        if (!schedule) continue;
+        schedules.add(schedule->period);
+        for (int n = 0; n < schedule->pictures; ++n)
+            schedules.add(picture_phase(*schedule, n) + schedule->starts[static_cast<std::size_t>(n)]);
+    }
+    for (int i = 0; i < 50; ++i) {
+        const Wave wave{numbers.between(0, 3), numbers.between(0.2, 3), numbers.between(0.5, 3),
+                        numbers.between(0.2, 3)};
+        crossings.add(static_cast<std::uint64_t>(tip_crossings(wave, 16)));
+    }
+    schedules.print("schedules");
+    crossings.print("tip crossings");
+}
+
+}  // namespace
+}  // namespace tuftwave
+
+int main(int count, char** arguments) {
+    if (count > 1 && std::strcmp(arguments[1], "libm") == 0) {
+        tuftwave::hash_libm();
+        return 0;
+    }
+    tuftwave::hash_elementary();
+    tuftwave::hash_meshes();
+    tuftwave::hash_motions();
+    tuftwave::hash_schedules_and_quality();
+}

@@ -1,0 +1,230 @@
+"""Asks a server for glTF files of every kind, validates them and plays them.
+
+    python3 tests/gltf/check_gltf.py --server build/release/server/tuftwave-server [--out build/gltf]
+
+Needs Node.js and `npm ci` in this folder. Without --out the files go to a temporary directory. Exit code 0 or 1.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from typing import Any, Iterator, Optional
+
+sys.dont_write_bytecode = True
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
+sys.path.insert(0, os.path.join(HERE, "..", "contract"))
+
+from service import Service  # noqa: E402
+
+PIPELINE = os.path.join(ROOT, "client-examples", "pipeline")
+DATA = os.path.join(ROOT, "tests", "data")
+PYTHON = os.environ.get("PYTHON", "/usr/bin/python3")
+HEADS = ("Vita", "Sendagaya_Shibu", "Sakurada_Fumiriya")
+FRAME_RATES = (12, 24, 25, 30, 60, "24000/1001")
+PERIODS = (0.45, 0.8, 0.58, 0.33)
+HOLDS = (1, 2, 3)
+Body = dict[str, Any]
+
+
+def example(name: str) -> Body:
+    with open(os.path.join(ROOT, "api", "examples", f"{name}.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def converted(script: str, *arguments: str) -> Body:
+    """The hairstyle that a converter of client-examples makes of somebody else's file."""
+    made = subprocess.run([PYTHON, "-B", os.path.join(PIPELINE, script), *arguments, "--motion", "breeze"], capture_output=True, check=True)
+    return json.loads(made.stdout)
+
+
+def people() -> Iterator[tuple[str, Body]]:
+    for head in HEADS:
+        yield f"vroid_{head}", converted("strokes_to_hairstyle.py", os.path.join(DATA, "strokes", f"vroid_{head}.strokes.json"))
+    strands = os.path.join(DATA, "strands")
+    yield "tressfx_ponytail", converted("strands_to_hairstyle.py", *(os.path.join(strands, name) for name in sorted(os.listdir(strands))))
+
+
+def tight_tufts() -> list[Body]:
+    """Strokes that bend more tightly than they are thick, or come back on themselves."""
+    zigzag = [[0.1 if i % 2 else 0.14, 0.05 - 0.01 * i, 0] for i in range(10)]
+    return [
+        {"name": "hairpin", "points": [[0, 0.1, 0], [0.1, 0.1, 0], [0.15, 0.105, 0], [0.1, 0.11, 0], [0, 0.11, 0]]},
+        {"name": "zigzag", "points": zigzag, "section": "ellipse", "flatness": 0.98, "twist_deg": 720},
+        {"name": "there_back", "points": [[0, 0.1, 0], [0, 0.2, 0], [0, 0.1, 0]]},
+        {"name": "short", "points": [[0, 0.1, 0], [0, 0.1001, 0]], "diameter": 100},
+    ]
+
+
+NAMES = ["\u524d\u9aea", "", "a", "a", "a_01", "a_02", "hair_root", "hair", "has a blank", "dotted.001", "1st", "thirteen_byte", "x_loop", "x_COL",
+         "tuft_0001", "tuft_0001_01", "b_01", "b", "b_01_01", "wave", "quote\"\\", "A", "a_1", "a_001"]
+
+
+def stills() -> Iterator[tuple[str, Body]]:
+    """Bodies of /v1/tufts."""
+    yield "example_tufts", example("tufts")
+    fringe = example("tufts")["tufts"][0]
+    for taper in ("sine", "linear", "smooth", "round"):
+        yield f"still_{taper}", {"tufts": [{**fringe, "taper": taper}]}
+    yield "still_flat_cap", {"tufts": [{**fringe, "widest_at": 100}]}
+    yield "still_coarse", {"tufts": [fringe], "mesh": {"rings": 2, "sides": 3}}
+    yield "still_one_bone", {"tufts": [{**fringe, "joints": 1}]}
+    yield "still_64_bones", {"tufts": [{**fringe, "joints": 64}], "mesh": {"sides": 64}}
+    yield "still_tight", {"tufts": tight_tufts()}
+    yield "still_far_away", {"head": {"center": [999999, -999999, 999999]}, "tufts": [{"points": [[999999, -999999, 999990], [999990, -999980, 999980]], "diameter": 100}]}
+    yield "still_ring_on_a_bone", {"tufts": [{**fringe, "joints": 11}], "mesh": {"rings": 21}}  # 15/22 of 11 bones is 7.5 but for rounding
+    yield "still_many_vertices", {"tufts": [fringe], "mesh": {"rings": 1100, "sides": 60}}
+
+
+def hairs() -> Iterator[tuple[str, Body]]:
+    """Bodies of /v1/hairstyles, all of which move."""
+    bob = example("hairstyles")
+    yield "example_hairstyles", bob
+    yield "hair_merged", {**bob, "mesh": {"layout": "merged"}}
+    yield "hair_tight", {**bob, "tufts": tight_tufts()}
+    yield "hair_names", {**bob, "tufts": [{**bob["tufts"][0], "name": name} for name in NAMES]}
+    yield "hair_names_merged", {**bob, "tufts": [{**bob["tufts"][0], "name": name} for name in NAMES], "mesh": {"layout": "merged"}}
+    yield "hair_flat_cap", {**bob, "tufts": [{**bob["tufts"][0], "widest_at": 100}]}
+    yield "hair_absolute", {**bob, "motion": {**bob["motion"], "mode": "absolute", "one_sided": False}}
+    yield "hair_on_its_side", {**bob, "head": {"up": [1, 0, 0]}, "motion": {**bob["motion"], "wind": [0, -1, 1]}}
+    yield "hair_closed", {**bob, "head": {"root_depth": 0}, "tufts": [{"points": [[0.1, 0, 0], [0.2, 0, 0], [0.1, 0, 0]], "joints": 1}]}
+    yield "hair_wild", {**bob, "motion": {"wave": {"amplitude": 100, "spatial_period": -0.05, "lightness": -0.05, "tip_exponent": 8}}}
+    for head, body in people():
+        for layout in ("per_tuft", "merged"):
+            yield f"{head}_{layout}", {**body, "mesh": {**body["mesh"], "layout": layout}}
+
+
+def chains() -> Iterator[tuple[str, Body]]:
+    """Bodies of /v1/motions."""
+    hanging = example("motions")
+    yield "example_motions", hanging
+    turned = {"name": "turned", "nodes": hanging["chains"][0]["nodes"], "parent_rotation": [0.1, -0.2, 0.3, 0.9],
+              "rest_rotations": [[0.1 * i, 0.2, -0.1 * i, 1 - 0.1 * i] for i in range(7)]}
+    flipped = {"name": "flipped", "nodes": [[0, 0.1, 0], [0, 0, 0], [0, 0, 0], [0.1, 0, 0]], "parent_rotation": [0, 0, 0, -2]}
+    yield "chains_turned", {**hanging, "chains": [turned, {**turned, "parent_rotation": [0, 0, 0, 1]}, flipped]}
+    yield "chains_names", {**hanging, "chains": [{**hanging["chains"][0], "name": name} for name in NAMES]}
+    yield "chains_longest", {"chains": [{"nodes": [[0, -0.01 * i, 0.001 * (i % 3)] for i in range(65)]}], "motion": {"timing": {"period": 1, "hold": 1}}}
+    yield "chains_one_picture", {**hanging, "motion": {"timing": {"period": 0.05}}}
+
+
+def timings() -> Iterator[tuple[str, Body]]:
+    for fps in FRAME_RATES:
+        for hold in HOLDS:
+            for period in PERIODS:
+                name = f"{str(fps).replace('/', '-')}fps_{hold}s_{round(period * 1000)}ms"
+                for short_holds in ("last", "spread") if period == 0.45 else ("last",):
+                    yield f"{name}_{short_holds}", {"period": period, "fps": fps, "hold": hold, "short_holds": short_holds}
+
+
+class Files:
+    """Answers written to a directory; a refusal is a failed check."""
+
+    def __init__(self, service: Service, directory: str) -> None:
+        self._service, self._directory = service, directory
+        self.passed = self.failed = 0
+
+    def check(self, name: str, fault: str) -> None:
+        self.failed += bool(fault)
+        self.passed += not fault
+        if fault:
+            print(f"FAILED {name}: {fault}")
+
+    def write(self, operation: str, name: str, body: Body, *formats: str) -> None:
+        text = json.dumps(body, ensure_ascii=False)
+        bytes_of: dict[str, bytes] = {}
+        for word in formats:
+            answer = self._service.post(f"/v1/{operation}?format={word}", text)
+            self.check(f"{name}.{word}", "" if answer.status == 200 else f"{answer.status} {answer.body[:300]!r}")
+            if answer.status != 200:
+                return
+            bytes_of[word] = answer.body
+            with open(os.path.join(self._directory, f"{name}.{word}"), "wb") as file:
+                file.write(answer.body)
+        if "gltf" in formats:
+            self.check(f"{name}: GLB and glTF", "" if unpacked(bytes_of["glb"]) == embedded(bytes_of["gltf"]) else "differ in more than their packing")
+
+
+def unpacked(glb: bytes) -> tuple[Any, bytes]:
+    """The JSON and the buffer of a GLB, padding cut off."""
+    size = int.from_bytes(glb[12:16], "little")
+    gltf = json.loads(glb[20:20 + size])
+    return gltf, glb[28 + size:][:gltf["buffers"][0]["byteLength"]]
+
+
+def embedded(text: bytes) -> tuple[Any, bytes]:
+    gltf = json.loads(text)
+    head, data = gltf["buffers"][0].pop("uri").split(",")
+    assert head == "data:application/octet-stream;base64", head
+    return gltf, base64.b64decode(data)
+
+
+def write_files(files: Files) -> None:
+    for name, body in stills():
+        files.write("tufts", name, body, "glb", "gltf")
+    for name, body in hairs():
+        files.write("hairstyles", name, body, "json", "glb", *([] if "tressfx" in name else ["gltf"]))
+    for name, body in chains():
+        files.write("motions", name, body, "json", "glb", "gltf")
+    tuft = example("hairstyles")["tufts"][0]
+    for name, timing in timings():
+        if timing["period"] * rate_of(timing["fps"]) / timing["hold"] <= 24:
+            files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
+            files.write("hairstyles", f"tuft_{name}", {"tufts": [tuft], "motion": {"timing": timing}}, "json", "glb")
+
+
+def rate_of(fps: Any) -> float:
+    numerator, _, denominator = str(fps).partition("/")
+    return float(numerator) / float(denominator or 1)
+
+
+def run_node(script: str, directory: str) -> tuple[int, int]:
+    """Runs a script over the directory and shows what it says. @return  what passed and failed"""
+    done = subprocess.run(["node", os.path.join(HERE, script), directory], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    print(f"-- {script}\n{done.stdout.rstrip()}")
+    counts = re.search(r"^(\d+) passed, (\d+) failed\s*\Z", done.stdout, re.MULTILINE)
+    return (int(counts[1]), int(counts[2])) if counts and done.returncode in (0, 1) else (0, 1)
+
+
+def check(server: str, directory: str) -> int:
+    with Service(server) as service:
+        files = Files(service, directory)
+        write_files(files)
+    passed, failed = files.passed, files.failed
+    print(f"{len(os.listdir(directory))} files in {directory}")
+    for script in ("validate.mjs", "playback.mjs"):
+        more_passed, more_failed = run_node(script, directory)
+        passed, failed = passed + more_passed, failed + more_failed
+    print(f"{passed} passed, {failed} failed")
+    return 0 if passed and not failed else 1
+
+
+def main(arguments: Optional[list[str]] = None) -> int:
+    parser = argparse.ArgumentParser(description="Validates and plays a server's glTF files.")
+    parser.add_argument("--server", default=os.environ.get("TUFTWAVE_SERVER"), help="the program (default: the environment's TUFTWAVE_SERVER)")
+    parser.add_argument("--out", help="keep the files in this directory, whose glTF files are replaced")
+    options = parser.parse_args(arguments)
+    if not options.server or not os.access(options.server, os.X_OK):
+        print(f"check_gltf: {options.server!r} is no program; build the server and name it with --server", file=sys.stderr)
+        return 1
+    if not os.path.isdir(os.path.join(HERE, "node_modules")):
+        print("check_gltf: run `npm ci` in tests/gltf first", file=sys.stderr)
+        return 1
+    if not options.out:
+        with tempfile.TemporaryDirectory() as directory:
+            return check(options.server, directory)
+    os.makedirs(options.out, exist_ok=True)
+    for name in os.listdir(options.out):
+        if name.endswith((".glb", ".gltf", ".json")):
+            os.remove(os.path.join(options.out, name))
+    return check(options.server, options.out)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
