@@ -104,8 +104,13 @@ Check check_repeat(const Schedule& schedule, int repeat, const Limits& limits) {
     if (Check wrong = check_range(repeat, limits.repeat, "/repeat")) return wrong;
     const auto frames = static_cast<std::size_t>(schedule.frames) * static_cast<std::size_t>(repeat);
     if (frames <= limits.sheet_frames) return {};
-    return Error{ErrorCode::kTooMany, "/repeat", static_cast<double>(repeat),
-                 "sheets of at most " + std::to_string(limits.sheet_frames) + " frames; these settings give " + std::to_string(frames), {}, {}};
+    return Error{ErrorCode::kTooMany,
+                 "/repeat",
+                 static_cast<double>(repeat),
+                 "sheets of at most " + std::to_string(limits.sheet_frames) + " frames; these settings give " +
+                     std::to_string(frames),
+                 {},
+                 {}};
 }
 
 int picture_at(const Schedule& schedule, int frame) {

@@ -68,8 +68,12 @@ Check check_chains(std::span<const Chain> chains, const Limits& limits) {
         bones += chains[i].nodes.size() - 1;
     }
     if (bones <= limits.joints) return {};
-    return Error{ErrorCode::kTooMany, "", static_cast<double>(bones),
-                 "at most " + std::to_string(limits.joints) + " bones in all chains", {}, static_cast<double>(limits.joints)};
+    return Error{ErrorCode::kTooMany,
+                 "",
+                 static_cast<double>(bones),
+                 "at most " + std::to_string(limits.joints) + " bones in all chains",
+                 {},
+                 static_cast<double>(limits.joints)};
 }
 
 Chain chain_along(const Curve& curve, int joints) {

@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastAdvance = 0.1;
 /// How quickly a cut fades along the centre line: metres of cut per metre of length.
 constexpr double kFadeSlope = 1.0;
+/// Rings that a bridge looks ahead at most, which bounds the work.
+constexpr std::size_t kBridgedRings = 64;
 
 /// From one ring to the next.
 struct Pair {
@@ -54,6 +56,7 @@ class Column {
     /// Decides how many metres are taken off each corner's distance.
     void cut() {
         for (std::size_t i = 1; i < rings_.size(); ++i) cut_pair(i);
+        bridge();
         for (std::size_t i = 1; i < rings_.size(); ++i) fade(i - 1, i);
         for (std::size_t i = rings_.size() - 1; i > 0; --i) fade(i, i - 1);
     }
@@ -82,6 +85,34 @@ class Column {
 
     void cut_whole(std::size_t i) {
         for (const std::size_t ring : {i - 1, i}) cut_[ring] = length(offsets_[ring]);
+    }
+
+    /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a
+    /// fin: it stays cut as far as the lesser of the deepest cuts before and after.
+    void bridge() {
+        std::vector<double> bridged = cut_;
+        for (std::size_t i = 0; i < cut_.size(); ++i) {
+            bridged[i] = std::max(cut_[i], std::min(deepest_cut(i, Towards::kRoot), deepest_cut(i, Towards::kTip)));
+        }
+        cut_ = std::move(bridged);
+    }
+
+    enum class Towards { kRoot, kTip };
+
+    /// The deepest cut from ring `i` on, as far as the corner there is from the centre line.
+    double deepest_cut(std::size_t i, Towards end) const {
+        const double span = length(offsets_[i]);
+        const std::size_t rings_there = end == Towards::kTip ? cut_.size() - 1 - i : i;
+        double deepest = cut_[i], walked = 0;
+        std::size_t at = i;
+        for (std::size_t k = 0; k < std::min(rings_there, kBridgedRings); ++k) {
+            const std::size_t next = end == Towards::kTip ? at + 1 : at - 1;
+            walked += step_length(at, next);
+            if (walked > span) break;
+            deepest = std::max(deepest, cut_[next]);
+            at = next;
+        }
+        return deepest;
     }
 
     void fade(std::size_t from, std::size_t to) {

@@ -16,7 +16,7 @@ struct Row {
 };
 
 /// The one table of errors. openapi.yaml and the README point at these slugs.
-constexpr std::array<Row, 27> kTable{{
+constexpr std::array<Row, 28> kTable{{
     {ProblemCode::kMalformed, "malformed", 400, "The body is not valid JSON."},
     {ProblemCode::kDuplicateKey, "duplicate_key", 400, "A key occurs twice in one object."},
     {ProblemCode::kTooDeep, "too_deep", 400, "The body is nested too deeply."},
@@ -36,6 +36,7 @@ constexpr std::array<Row, 27> kTable{{
     {ProblemCode::kNotFound, "not_found", 404, "There is nothing here."},
     {ProblemCode::kMethodNotAllowed, "method_not_allowed", 405, "This method is not allowed here."},
     {ProblemCode::kNotAcceptable, "not_acceptable", 406, "None of the accepted formats is available."},
+    {ProblemCode::kTooSlow, "too_slow", 408, "The request did not arrive in time."},
     {ProblemCode::kLengthRequired, "length_required", 411, "The request needs a Content-Length."},
     {ProblemCode::kTooLarge, "too_large", 413, "The body is too large."},
     {ProblemCode::kUriTooLong, "uri_too_long", 414, "The request target is too long."},

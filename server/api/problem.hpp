@@ -32,6 +32,7 @@ enum class ProblemCode {
     kNotFound,
     kMethodNotAllowed,
     kNotAcceptable,
+    kTooSlow,
     kLengthRequired,
     kTooLarge,
     kUriTooLong,

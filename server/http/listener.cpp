@@ -92,9 +92,12 @@ void deliver(Response from, httplib::Response& to) {
 
 /// An answer that the library does not write, since it never saw a whole head.
 std::string bare_message(const Response& response) {
-    return "HTTP/1.1 " + std::to_string(response.status) + " Refused\r\nContent-Type: " + response.content_type +
-           "\r\nContent-Length: " + std::to_string(response.body.size()) +
-           "\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n" + response.body;
+    std::string message = "HTTP/1.1 " + std::to_string(response.status) +
+                          " Refused\r\nContent-Type: " + response.content_type +
+                          "\r\nContent-Length: " + std::to_string(response.body.size()) +
+                          "\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n";
+    for (const auto& [name, value] : response.headers) message += name + ": " + value + "\r\n";
+    return message + "\r\n" + response.body;
 }
 
 using SetUp = std::function<void(httplib::Request&)>;

@@ -31,9 +31,15 @@ Response plain(int status, std::string text) {
 
 /// The problem behind a bare HTTP status.
 Problem http_problem(int status) {
-    constexpr ProblemCode kCodes[] = {
-        ProblemCode::kNotFound,   ProblemCode::kMethodNotAllowed,     ProblemCode::kLengthRequired,  ProblemCode::kTooLarge,
-        ProblemCode::kUriTooLong, ProblemCode::kUnsupportedMediaType, ProblemCode::kHeadersTooLarge, ProblemCode::kBusy};
+    constexpr ProblemCode kCodes[] = {ProblemCode::kNotFound,
+                                      ProblemCode::kMethodNotAllowed,
+                                      ProblemCode::kTooSlow,
+                                      ProblemCode::kLengthRequired,
+                                      ProblemCode::kTooLarge,
+                                      ProblemCode::kUriTooLong,
+                                      ProblemCode::kUnsupportedMediaType,
+                                      ProblemCode::kHeadersTooLarge,
+                                      ProblemCode::kBusy};
     for (const ProblemCode code : kCodes) {
         if (server::status(code) == status) return {code, "", {}, {}};
     }

@@ -117,7 +117,7 @@ TEST_F(ServiceTest, OptionsNamesTheMethods) {
 }
 
 TEST_F(ServiceTest, WhatIsRefusedBeforeItIsCompleteIsAProblemToo) {
-    for (const int status : {400, 404, 405, 411, 413, 414, 415, 431, 500, 503}) {
+    for (const int status : {400, 404, 405, 408, 411, 413, 414, 415, 431, 500, 503}) {
         const Response response = service.refuse(status);
         EXPECT_EQ(response.status, status);
         EXPECT_EQ(response.content_type, "application/problem+json");

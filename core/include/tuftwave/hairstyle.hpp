@@ -37,7 +37,8 @@ struct HairPlan {
 };
 
 /// Plans a hairstyle: every limit is checked before a vertex is made.
-/// @errors  those of check_head, check_tuft, check_detail, make_schedule, move_chains; too_few (tufts), too_many (tufts, points, joints,
+/// @errors  those of check_head, check_tuft, check_detail, make_schedule, move_chains; too_few (tufts), too_many
+/// (tufts, points, joints,
 ///          vertices, triangles), cancelled. Where several tufts are wrong the first one is named.
 /// Deterministic for any `for_each`.
 Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,

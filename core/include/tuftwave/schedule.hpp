@@ -52,8 +52,9 @@ struct Schedule {
 
 /// Cuts a cycle into pictures and holds.
 /// @return  holds of 1..timing.hold frames that sum to floor(fps T + 0.5 + 1e-9)
-/// @errors  not_finite, out_of_range, too_few (less than half a frame), too_many (pictures, frames), undefined_as_printed (K > N_pict with kAsPrinted)
-/// Source: Furukawa and Nakata 2018, section 2; holds by divmod, see core/README.md.
+/// @errors  not_finite, out_of_range, too_few (less than half a frame), too_many (pictures, frames),
+/// undefined_as_printed (K > N_pict with kAsPrinted) Source: Furukawa and Nakata 2018, section 2; holds by divmod, see
+/// core/README.md.
 Result<Schedule> make_schedule(const Timing& timing, Formulas formulas, const Limits& limits);
 
 /// Whether a sheet of `repeat` cycles is short enough.
