@@ -29,14 +29,14 @@ def preset(amplitude: float, spatial_period: float, tip_exponent: float, period:
 
 MOTIONS: dict[str, Optional[dict[str, Any]]] = {
     "none": None,
-    "calm": preset(0.3, 1.0, 1.5, 1.0, 3),  # 24 frames, 8 pictures
-    "breeze": preset(0.8, 1.0, 1.0, 0.45, 2),  # 11 frames, 6 pictures
-    "gale": preset(1.3, 0.8, 0.8, 0.33, 2),  # 8 frames, 4 pictures
+    "calm": preset(0.13, 1.0, 1.5, 1.0, 3),  # 24 frames, 8 pictures
+    "breeze": preset(0.38, 1.0, 1.0, 0.45, 2),  # 11 frames, 6 pictures
+    "gale": preset(0.8, 0.8, 0.8, 0.33, 2),  # 8 frames, 4 pictures
 }
 LAID_ON_HAIR = {
     "wind": [1, 0, 0],
     "one_sided": True,
-    "phase": {"step": "free", "gust_wavelength": 0.4, "spread": 0.15, "seed": 1},
+    "phase": {"step": "free", "gust_wavelength": 0.8, "spread": 0.08, "seed": 1},
 }
 
 

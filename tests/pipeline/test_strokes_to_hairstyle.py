@@ -149,8 +149,9 @@ class Mapping(unittest.TestCase):
         strokes = converter.read_strokes({"strokes": [stroke()]})
         self.assertNotIn("motion", converter.to_hairstyle(strokes)[0])
         motion = converter.to_hairstyle(strokes, motion="breeze")[0]["motion"]
+        self.assertEqual(motion["wave"], {"amplitude": 0.38, "spatial_period": 1.0, "lightness": 1.2, "tip_exponent": 1.0})
         self.assertEqual(motion["timing"], {"period": 0.45, "fps": 24, "hold": 2})
-        self.assertEqual(motion["phase"], {"step": "free", "gust_wavelength": 0.4, "spread": 0.15, "seed": 1})
+        self.assertEqual(motion["phase"], {"step": "free", "gust_wavelength": 0.8, "spread": 0.08, "seed": 1})
         for name in converter.MOTIONS:  # 3 to 8 pictures, the animators' range
             timing = (converter.motion_block(name) or motion)["timing"]
             frames = math.floor(timing["fps"] * timing["period"] + 0.5)
