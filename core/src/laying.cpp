@@ -23,7 +23,8 @@ Vec3 chain_direction(const Chain& chain) {
         if (dot(away, away) > dot(furthest, furthest)) furthest = away;
         whole += length(chain.nodes[i] - chain.nodes[i - 1]);
     }
-    return normalized(length(to_tip) > kSmallestSine * whole ? to_tip : furthest);
+    const Vec3 direction = length(to_tip) > kSmallestSine * whole ? to_tip : furthest;
+    return length(direction) > 0 ? normalized(direction) : Vec3{0, 1, 0};  // one bone whose tip lies on its root
 }
 
 Vec3 bone_direction(const Chain& chain, std::size_t bone, const Vec3& otherwise) {

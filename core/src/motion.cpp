@@ -85,7 +85,8 @@ std::vector<double> wave_angles(const Chain& chain, const Motion& motion, const 
     for (std::size_t i = 1; i < nodes; ++i) x[i] = x[i - 1] + length(chain.nodes[i] - chain.nodes[i - 1]);
     const double whole = x.back();
     for (std::size_t i = 0; i < nodes; ++i) {
-        x[i] = i + 1 == nodes ? kPi : kPi * (x[i] / whole);
+        const double share = whole > 0 ? x[i] / whole : static_cast<double>(i) / static_cast<double>(nodes - 1);
+        x[i] = i + 1 == nodes ? kPi : kPi * share;
         envelope[i] = wave_envelope(motion.wave, x[i]);
     }
     const int cycles = chain.cycles.value_or(motion.phase.cycles);

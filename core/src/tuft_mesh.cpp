@@ -37,7 +37,7 @@ class VertexWriter {
         const auto second = static_cast<float>(influence_.second_weight);
         const bool both = second > 0;
         const std::array<float, 4> weights{1.0F - second, second, 0, 0};
-        const std::array<int, 4> bones{out_.first_joint + influence_.first,
+        const std::array<int, 4> bones{weights[0] > 0 ? out_.first_joint + influence_.first : 0,
                                        both ? out_.first_joint + influence_.second : 0, 0, 0};
         for (std::size_t k = 0; k < 4; ++k) {
             out_.weights[4 * next_ + k] = weights[k];

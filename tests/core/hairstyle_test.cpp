@@ -50,6 +50,17 @@ TEST(Hairstyle, PlansEveryTuftAndMovesEveryChain) {
     EXPECT_EQ(plan->joints, joints);
 }
 
+TEST(Hairstyle, ATuftOfOneBoneThatEndsWhereItBeganIsFinite) {
+    Hairstyle hairstyle = moving_hair();
+    hairstyle.head.root_depth = 0;  // so that the stroke's own ends meet
+    hairstyle.tufts = {Tuft{}};
+    hairstyle.tufts[0].points = {{0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0, 0}};
+    hairstyle.tufts[0].joints = 1;
+    const Result<HairPlan> plan = planned(hairstyle);
+    ASSERT_TRUE(plan) << plan.error().field;
+    for (const Quat& q : plan->motion->chains[0].rotations) EXPECT_NEAR(dot(q, q), 1, 1e-12);
+}
+
 TEST(Hairstyle, WithoutMotionStaysStill) {
     Hairstyle hairstyle = moving_hair();
     hairstyle.motion.reset();

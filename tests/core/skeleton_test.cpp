@@ -11,6 +11,7 @@
 
 #include "samples.hpp"
 #include "support.hpp"
+#include "tuftwave/tuft.hpp"
 
 namespace tuftwave {
 namespace {
@@ -167,6 +168,17 @@ TEST(CheckChain, RefusesWithCodeAndField) {
         ASSERT_FALSE(check_chain(chain, {}));
         wrong.change(chain);
         EXPECT_TRUE(is_refused(check_chain(chain, {}), wrong.code, wrong.field)) << wrong.name;
+    }
+}
+
+TEST(Influence, ABoneWithoutWeightIsNotNamed) {
+    Tuft tuft = test::tuft_along("line", {{0, 0.1, 0}, {0, 0.3, 0}});
+    tuft.joints = 13;  // with 25 rings one second weight rounds to 1
+    MeshDetail detail;
+    detail.rings = 25;
+    const Mesh mesh = to_mesh(plan_tuft(tuft, Head{}, detail, Limits{})->mesh);
+    for (std::size_t i = 0; i < mesh.weights.size(); ++i) {
+        EXPECT_TRUE(mesh.weights[i] > 0 || mesh.joints[i] == 0) << i;
     }
 }
 

@@ -16,7 +16,7 @@ import { readGlb } from "./glb.mjs";
 import { meshFault, nodeFault } from "./invariants.mjs";
 
 const MOST_COMPARISONS = 4e6; // joints times frames per file and way of playing; larger files play fewer loops, at least 3
-const TOLERANCE = 1e-5; // of the chain's length: 2.5 micrometres on a hair of 25 cm
+const TOLERANCE = 1e-5; // of the chain's length, 2.5 micrometres on a hair of 25 cm; in metres where it has none
 
 /** The picture on show at each frame of one cycle. */
 const shownPictures = (schedule) => schedule.holds.flatMap((hold, picture) => Array(hold).fill(picture));
@@ -67,7 +67,7 @@ function positionError(objects, chains, picture) {
   let largest = 0;
   for (const [c, nodes] of chains.entries()) {
     const { positions } = picture.chains[c];
-    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0);
+    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0) || 1;
     for (const [i, node] of nodes.entries()) {
       largest = Math.max(largest, distance(new Vector3().setFromMatrixPosition(objects[node].matrixWorld).toArray(), positions[i]) / whole);
     }
@@ -83,7 +83,7 @@ function jointMotions(json, chains, picture) {
     const { rotations, positions } = picture.chains[c];
     const parent = json.nodes.findIndex((node) => node.children?.includes(nodes[0]));
     let posed = rest.get(parent).rotation;
-    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0);
+    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0) || 1;
     for (const [i, node] of nodes.entries()) {
       posed = product(posed, rotations[i]);
       motions.set(node, { turn: product(posed, inverse(rest.get(node).rotation)), from: rest.get(node).position, to: positions[i], whole });

@@ -30,6 +30,12 @@ TEST(JsonGuard, RefusesWhatIsNotJson) {
     }
 }
 
+TEST(JsonGuard, SurvivesTextAfterTheEnd) {
+    for (const char* const body : {R"({}"")", R"({]")", R"({}"a")", R"([]{"a)"})
+        EXPECT_EQ(outcome(body), "malformed") << body;
+    EXPECT_EQ(outcome(std::string("{}\0{\"a\":1,\"a\":2}", 16)), "malformed");  // the parser alone stops at the NUL
+}
+
 TEST(JsonGuard, NestsThirtyTwoDeepAndNoDeeper) {
     EXPECT_EQ(outcome(nested(32)), "parsed");
     EXPECT_EQ(outcome(nested(33)), "too_deep");
