@@ -1,0 +1,14 @@
+// What render.mjs calls: draws one picture and hands over its frames.
+import { drawHeads } from "./pictures/heads.mjs";
+import { drawHero } from "./pictures/hero.mjs";
+import { drawPonytail } from "./pictures/ponytail.mjs";
+import { drawSteps } from "./pictures/steps.mjs";
+import { drawTufts } from "./pictures/tufts.mjs";
+
+const draw = { hero: drawHero, heads: drawHeads, ponytail: drawPonytail, tufts: drawTufts, steps: drawSteps };
+
+/** The frames of a picture as PNG data URLs, each with the exposure frames it is held for. */
+window.drawPicture = async (name) => {
+  const { frames, fps } = await draw[name]();
+  return { fps, frames: frames.map(({ canvas, hold }) => ({ png: canvas.toDataURL("image/png"), hold })) };
+};
