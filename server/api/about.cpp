@@ -67,6 +67,7 @@ constexpr std::string_view kSwaggerPage = R"(<!doctype html>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>Tuftwave API</title>
+<link rel="icon" href="/docs/favicon-32x32.png">
 <link rel="stylesheet" href="/docs/swagger-ui.css">
 <body style="margin:0">
 <div id="ui"></div>

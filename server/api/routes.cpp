@@ -10,7 +10,7 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<Route, 10> kRoutes{{
+constexpr std::array<Route, 11> kRoutes{{
     {"POST", "/v1/tufts", post_tufts, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
     {"POST", "/v1/motions", post_motions, true},
@@ -18,6 +18,7 @@ constexpr std::array<Route, 10> kRoutes{{
     {"POST", "/v1/schedules", post_schedules, true},
     {"GET", "/v1/limits", get_limits, false},
     {"GET", "/v1/version", get_version, false},
+    {"GET", "/", get_docs, false},
     {"GET", "/openapi.yaml", get_openapi, false},
     {"GET", "/docs", get_docs, false},
     {"GET", "/docs/{file}", get_docs_file, false},

@@ -7,7 +7,7 @@ from support import ServiceTest
 
 SERVED_METHODS = ("GET", "HEAD", "POST", "OPTIONS")
 OTHER_METHODS = ("PUT", "DELETE", "PATCH")  # the server's HTTP knows none of them
-NOWHERE = ("/", "/v1", "/v1/", "/v1/tuft", "/v1/tufts/", "/V1/tufts", "/v2/tufts", "/docs/", "/docs/../openapi.yaml", "//v1/tufts",
+NOWHERE = ("/v1", "/v1/", "/v1/tuft", "/v1/tufts/", "/V1/tufts", "/v2/tufts", "/docs/", "/docs/../openapi.yaml", "//v1/tufts",
            "/v1/tufts/0", "/openapi.json", "/%2e%2e/etc/passwd", "/docs/..%2f..%2fetc%2fpasswd", "/livez", "/metrics")
 
 
