@@ -5,7 +5,8 @@ ARG DEBIAN=bookworm
 FROM debian:${DEBIAN}-slim AS build
 WORKDIR /src
 COPY script/setup script/setup
-RUN script/setup build
+COPY server/docs server/docs
+RUN script/setup build && { script/setup docs || echo "without npm the image has no page to try the API"; }
 COPY . .
 RUN cmake -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DTUFTWAVE_TESTS=OFF \
  && cmake --build /build --target tuftwave-server \

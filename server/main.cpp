@@ -18,9 +18,9 @@ constexpr int kFailed = 1, kWrongUsage = 2;
 int print(const std::string& text) { return std::fputs(text.c_str(), stdout) < 0 ? kFailed : 0; }
 
 int healthcheck(const Config& config) {
-    const int status = http_status(config.admin_host, config.admin_port, "/readyz");
+    const int status = http_status(config.admin_host, config.admin_port, "/livez");  // a full server is healthy
     if (status == 200) return 0;
-    std::fprintf(stderr, "tuftwave-server: not ready (%s)\n",
+    std::fprintf(stderr, "tuftwave-server: not alive (%s)\n",
                  status == 0 ? "no answer" : std::to_string(status).c_str());
     return kFailed;
 }

@@ -6,9 +6,9 @@
 namespace tuftwave {
 namespace {
 
-/// Tufts planned before their rings are counted: enough for any number of threads; at 4,096 rings of 96 bytes each they
-/// take 100 MB at most.
-constexpr std::size_t kTuftsAtOnce = 256;
+/// Tufts planned before their rings are counted: enough for any number of threads; at 4,096 rings of 96 bytes and 64
+/// corners of 4 bytes each they take 100 MB at most.
+constexpr std::size_t kTuftsAtOnce = 64;
 
 const Error kCancelled{ErrorCode::kCancelled, "", {}, "", {}, {}};
 
@@ -34,6 +34,27 @@ Check check_counts(const Hairstyle& hairstyle, const Limits& limits) {
     return {};
 }
 
+Error mesh_too_large(std::size_t count, std::size_t most, const std::string& what) {
+    return {ErrorCode::kTooMany,
+            "/mesh",
+            static_cast<double>(count),
+            "at most " + std::to_string(most) + " " + what + "; use a larger tolerance, fewer rings or fewer sides",
+            {},
+            static_cast<double>(most)};
+}
+
+/// Where the rings are given, how large the mesh will be is known before any work.
+Check check_given_rings(const Hairstyle& hairstyle, const Limits& limits) {
+    if (!hairstyle.mesh.rings) return {};
+    const auto rings = static_cast<std::size_t>(*hairstyle.mesh.rings);
+    const auto sides = static_cast<std::size_t>(hairstyle.mesh.sides);
+    const std::size_t vertices = hairstyle.tufts.size() * (2 + rings * (sides + 1));
+    const std::size_t triangles = hairstyle.tufts.size() * 2 * sides * rings;
+    if (vertices > limits.vertices) return mesh_too_large(vertices, limits.vertices, "vertices");
+    if (triangles > limits.triangles) return mesh_too_large(triangles, limits.triangles, "triangles");
+    return {};
+}
+
 /// Adds the tufts in [from, to) to the plan's counts.
 Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits& limits) {
     for (std::size_t i = from; i < to; ++i) {
@@ -41,17 +62,8 @@ Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits&
         plan.indices += plan.tufts[i].index_count();
         plan.joints += static_cast<std::size_t>(plan.tufts[i].joints);
     }
-    const auto too_many = [](std::size_t count, std::size_t most, const std::string& what) {
-        return Error{
-            ErrorCode::kTooMany,
-            "/mesh",
-            static_cast<double>(count),
-            "at most " + std::to_string(most) + " " + what + "; use a larger tolerance, fewer rings or fewer sides",
-            {},
-            static_cast<double>(most)};
-    };
-    if (plan.vertices > limits.vertices) return too_many(plan.vertices, limits.vertices, "vertices");
-    if (plan.indices / 3 > limits.triangles) return too_many(plan.indices / 3, limits.triangles, "triangles");
+    if (plan.vertices > limits.vertices) return mesh_too_large(plan.vertices, limits.vertices, "vertices");
+    if (plan.indices / 3 > limits.triangles) return mesh_too_large(plan.indices / 3, limits.triangles, "triangles");
     return {};
 }
 
@@ -110,6 +122,7 @@ Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits
     if (Check wrong = check_counts(hairstyle, limits)) return *wrong;
     if (Check wrong = check_head(hairstyle.head, limits)) return within("/head", *wrong);
     if (Check wrong = check_detail(hairstyle.mesh, limits)) return within("/mesh", *wrong);
+    if (Check wrong = check_given_rings(hairstyle, limits)) return *wrong;
     std::optional<Schedule> schedule;
     if (hairstyle.motion) {
         Result<Schedule> made = make_schedule(hairstyle.motion->timing, hairstyle.formulas, limits);

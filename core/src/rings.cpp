@@ -11,7 +11,7 @@ namespace {
 /// A ring and the next are never turned further apart than this, radians (about 34 degrees), so that shading stays
 /// smooth.
 constexpr double kLargestTurn = 0.6;
-/// At least so many rings per bone, so that a bent bone bends the mesh.
+/// Rings are at most a bone's length over this apart, so that a bent bone bends the mesh.
 constexpr int kRingsPerBone = 2;
 /// 2^-20 of a tuft is a quarter of a micrometre on a hair of 25 cm; only the blunt ends of the round taper come near
 /// it.

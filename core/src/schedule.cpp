@@ -67,8 +67,8 @@ void fill_holds(Schedule& schedule, ShortHolds short_holds) {
     }
 }
 
-int wrapped(std::int64_t value, int modulus) {
-    const auto rest = static_cast<int>(value % modulus);
+std::int64_t wrapped(std::int64_t value, std::int64_t modulus) {
+    const std::int64_t rest = value % modulus;
     return rest < 0 ? rest + modulus : rest;
 }
 
@@ -122,12 +122,17 @@ int picture_at(const Schedule& schedule, int frame) {
 }
 
 double picture_phase(const Schedule& schedule, int picture, int cycles, int shift) {
-    if (schedule.sampling == Sampling::kByFrame) {
-        const int shifted = wrapped(std::int64_t{picture} + shift, schedule.pictures);
-        const std::int64_t frame = std::int64_t{cycles} * schedule.starts[static_cast<std::size_t>(shifted)];
-        return 2 * kPi * wrapped(frame, schedule.frames) / schedule.frames;
+    const std::int64_t frames = schedule.frames, pictures = schedule.pictures;
+    std::int64_t part = std::int64_t{cycles} * picture + shift, whole = pictures;
+    if (schedule.sampling == Sampling::kByFrame && cycles == 1) {  // the shift goes to another of the same drawings
+        part = schedule.starts[static_cast<std::size_t>(wrapped(std::int64_t{picture} + shift, pictures))];
+        whole = frames;
+    } else if (schedule.sampling == Sampling::kByFrame) {
+        part =
+            cycles * schedule.starts[static_cast<std::size_t>(wrapped(picture, pictures))] * pictures + shift * frames;
+        whole = frames * pictures;
     }
-    return 2 * kPi * wrapped(std::int64_t{cycles} * picture + shift, schedule.pictures) / schedule.pictures;
+    return 2 * kPi * static_cast<double>(wrapped(part, whole)) / static_cast<double>(whole);
 }
 
 }  // namespace tuftwave

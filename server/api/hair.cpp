@@ -36,7 +36,7 @@ std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillne
     fields.member("head", [&](const nlohmann::json& head, const Place& place) {
         read_head(head, place, problems, hairstyle.head);
     });
-    fields.items("tufts", [&](const nlohmann::json& tuft, const Place& place) {
+    fields.items("tufts", limits.tufts, [&](const nlohmann::json& tuft, const Place& place) {
         read_tuft(tuft, place, problems, limits, hairstyle.tufts.emplace_back());
     });
     fields.member("mesh", [&](const nlohmann::json& mesh, const Place& place) {
@@ -64,13 +64,13 @@ nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
     return {{"tuftwave", std::move(extras)}};
 }
 
-std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const ForEach& for_each) {
+std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context) {
     const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
     const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
-    return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), clip, container, for_each);
+    return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), clip, container, context.for_each, context.stop);
 }
 
-Json report_json(const HairRequest& hair, const HairPlan& plan) {
+Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_token& stop) {
     Json report{{"tufts", Json::array()}};
     for (std::size_t i = 0; i < plan.tufts.size(); ++i) {
         const MeshPlan& tuft = plan.tufts[i];
@@ -87,8 +87,8 @@ Json report_json(const HairRequest& hair, const HairPlan& plan) {
     if (plan.motion) {
         schedule = &plan.motion->schedule;
         report["schedule"] = schedule_json(*schedule);
-        report["pictures"] = pictures_json(plan.chains, *plan.motion);
-        report["quality"] = quality_json(plan.chains, hair.hairstyle.motion->wave, *plan.motion);
+        report["pictures"] = pictures_json(plan.chains, *plan.motion, stop);
+        report["quality"] = quality_json(plan.chains, hair.hairstyle.motion->wave, *plan.motion, stop);
     }
     report["warnings"] = warnings_json(schedule);
     return report;
@@ -110,7 +110,7 @@ Answer answer_hair(const Request& request, const Context& context, Stillness sti
     const Schedule* schedule = plan->motion ? &plan->motion->schedule : nullptr;
     switch (format) {
         case Format::kJson:
-            return formatted(format, report_json(hair, *plan).dump(), "hair", schedule);
+            return formatted(format, report_json(hair, *plan, context.stop).dump(), "hair", schedule);
         case Format::kXdts:
             return formatted(format, sheets::xdts(*schedule, 1), "hair", schedule);
         case Format::kCsv:
@@ -119,7 +119,7 @@ Answer answer_hair(const Request& request, const Context& context, Stillness sti
         case Format::kGltf:
             break;
     }
-    return formatted(format, hair_bytes(hair, *plan, format, context.for_each), "hair", schedule);
+    return formatted(format, hair_bytes(hair, *plan, format, context), "hair", schedule);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, co
         read_head(head, place, problems, read.head.emplace());
     });
     if (read.head) read.motion.up = read.head->up;
-    fields.items("chains", [&](const nlohmann::json& chain, const Place& place) {
+    fields.items("chains", limits.chains, [&](const nlohmann::json& chain, const Place& place) {
         read_chain(chain, place, problems, limits, read.chains.emplace_back());
     });
     fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
@@ -69,10 +69,10 @@ Result<HairMotion> move(MotionRequest& request, const Context& context) {
     return HairMotion{std::move(schedule).value(), std::move(moved).value()};
 }
 
-std::string answer_json(const MotionRequest& request, const HairMotion& motion) {
+std::string answer_json(const MotionRequest& request, const HairMotion& motion, const std::stop_token& stop) {
     return Json{{"schedule", schedule_json(motion.schedule)},
-                {"pictures", pictures_json(request.chains, motion)},
-                {"quality", quality_json(request.chains, request.motion.wave, motion)},
+                {"pictures", pictures_json(request.chains, motion, stop)},
+                {"quality", quality_json(request.chains, request.motion.wave, motion, stop)},
                 {"warnings", warnings_json(&motion.schedule)}}
         .dump();
 }
@@ -112,7 +112,7 @@ Answer post_motions(const Request& request, const Context& context) {
         case Format::kJson:
             break;
     }
-    return formatted(format, answer_json(wanted, *motion), "motion", schedule);
+    return formatted(format, answer_json(wanted, *motion, context.stop), "motion", schedule);
 }
 
 }  // namespace tuftwave::server

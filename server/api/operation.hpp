@@ -14,7 +14,7 @@ namespace tuftwave::server {
 struct Context {
     const Limits& limits;
     const ForEach& for_each;
-    std::stop_token stop;
+    std::stop_token stop;  ///< once set, the answer may be incomplete: whoever set it throws it away
 };
 
 using Answer = std::variant<Response, Problem>;

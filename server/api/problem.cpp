@@ -15,7 +15,7 @@ struct Row {
     const char* sentence;
 };
 
-/// The one table of errors. openapi.yaml and the README point at these slugs.
+/// The one table of errors; openapi.yaml lists the same slugs.
 constexpr std::array<Row, 28> kTable{{
     {ProblemCode::kMalformed, "malformed", 400, "The body is not valid JSON."},
     {ProblemCode::kDuplicateKey, "duplicate_key", 400, "A key occurs twice in one object."},

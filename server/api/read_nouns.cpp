@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestName = 256;  // characters
+constexpr std::size_t kLongestName = 64;  // characters
 
 void read_wave(const json& value, const Place& place, FieldProblems& problems, Wave& into) {
     Fields fields(value, place, problems);
@@ -46,7 +46,7 @@ void read_tuft(const json& value, const Place& place, FieldProblems& problems, c
     Fields fields(value, place, problems);
     fields.require("points");
     fields.text("name", kLongestName, into.name);
-    fields.vectors("points", into.points);
+    fields.vectors("points", limits.points_per_tuft, into.points);
     fields.number("diameter", into.diameter);
     fields.number("widest_at", into.widest_at);
     fields.choice("taper", kTapers, into.taper);
@@ -64,9 +64,9 @@ void read_chain(const json& value, const Place& place, FieldProblems& problems, 
     Fields fields(value, place, problems);
     fields.require("nodes");
     fields.text("name", kLongestName, into.name);
-    fields.vectors("nodes", into.nodes);
+    fields.vectors("nodes", limits.nodes_per_chain, into.nodes);
     into.rest_rotations.clear();
-    fields.rotations("rest_rotations", into.rest_rotations);
+    fields.rotations("rest_rotations", limits.nodes_per_chain, into.rest_rotations);
     fields.rotation("parent_rotation", into.parent_rotation);
     fields.vector("outward", into.outward);
     fields.number("phase", into.phase);

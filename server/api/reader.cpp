@@ -225,16 +225,16 @@ void Fields::rotation(std::string_view name, Quat& into) {
     into = {parts[0], parts[1], parts[2], parts[3]};
 }
 
-void Fields::vectors(std::string_view name, std::vector<Vec3>& into) {
-    items(name, [&](const json& item, const Place& place) {
+void Fields::vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into) {
+    items(name, most, [&](const json& item, const Place& place) {
         std::array<double, 3> parts{};
         if (numbers(item, place, "three numbers", parts)) into.push_back({parts[0], parts[1], parts[2]});
     });
 }
 
-void Fields::rotations(std::string_view name, std::vector<Quat>& into) {
+void Fields::rotations(std::string_view name, std::size_t most, std::vector<Quat>& into) {
     if (is_null(name)) return;
-    items(name, [&](const json& item, const Place& place) {
+    items(name, most, [&](const json& item, const Place& place) {
         std::array<double, 4> parts{};
         if (numbers(item, place, "four numbers", parts)) into.push_back({parts[0], parts[1], parts[2], parts[3]});
     });

@@ -71,8 +71,8 @@ class Fields {
     void vector(std::string_view name, Vec3& into);
     void vector(std::string_view name, std::optional<Vec3>& into);
     void rotation(std::string_view name, Quat& into);
-    void vectors(std::string_view name, std::vector<Vec3>& into);
-    void rotations(std::string_view name, std::vector<Quat>& into);
+    void vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into);
+    void rotations(std::string_view name, std::size_t most, std::vector<Quat>& into);
 
     template <class Enum, std::size_t count>
     void choice(std::string_view name, const Choices<Enum, count>& choices, Enum& into) {
@@ -111,13 +111,15 @@ class Fields {
         if (!is_null(name)) member(name, read);
     }
 
-    /// Calls read(item, place) for each item of an array.
+    /// Calls read(item, place) for each item of an array that has at most `most`; a longer one is refused unread.
     template <class Read>
-    void items(std::string_view name, Read read) {
+    void items(std::string_view name, std::size_t most, Read read) {
         const nlohmann::json* value = find(name);
         if (value == nullptr) return;
         if (!value->is_array()) return refuse_type(name, *value, "an array");
         const Place list(place_, name);
+        if (const Check wrong = check_count(value->size(), 0, most, ""))
+            return problems_.add(to_field_problem(*wrong, list.pointer()));
         for (std::size_t i = 0; i < value->size(); ++i) read((*value)[i], Place(list, i));
     }
 

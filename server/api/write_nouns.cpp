@@ -113,7 +113,7 @@ Json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look) {
                     {"layout", word_of(kLayouts, look.layout)},
                     {"color", look.color}};
     if (hairstyle.mesh.rings) json["mesh"]["rings"] = *hairstyle.mesh.rings;
-    json["formulas"] = word_of(kFormulas, hairstyle.formulas);
+    if (hairstyle.formulas != Formulas::kCorrected) json["formulas"] = word_of(kFormulas, hairstyle.formulas);
     return json;
 }
 
@@ -124,9 +124,9 @@ Json schedule_json(const Schedule& schedule) {
             {"period", schedule.period}};
 }
 
-Json pictures_json(std::span<const Chain> chains, const HairMotion& motion) {
+Json pictures_json(std::span<const Chain> chains, const HairMotion& motion, const std::stop_token& stop) {
     Json pictures = Json::array();
-    for (std::size_t n = 0; n < static_cast<std::size_t>(motion.schedule.pictures); ++n) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(motion.schedule.pictures) && !stop.stop_requested(); ++n) {
         Json poses = Json::array();
         for (std::size_t c = 0; c < chains.size(); ++c) {
             const std::size_t nodes = chains[c].nodes.size();
@@ -142,12 +142,13 @@ Json pictures_json(std::span<const Chain> chains, const HairMotion& motion) {
     return pictures;
 }
 
-Json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion) {
+Json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion,
+                  const std::stop_token& stop) {
     constexpr int kFineBones = 16;
     std::map<int, int> hold_counts;
     for (const int hold : motion.schedule.holds) ++hold_counts[hold];
     double largest = 0;
-    for (std::size_t c = 0; c < chains.size(); ++c)
+    for (std::size_t c = 0; c < chains.size() && !stop.stop_requested(); ++c)
         largest = std::max(largest, largest_step(chains[c], motion.chains[c]));
     Json counts = Json::object();
     for (const auto& [hold, count] : hold_counts) counts[std::to_string(hold)] = count;

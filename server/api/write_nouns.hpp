@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,19 @@
 
 namespace tuftwave::server {
 
-// From core's structs to JSON. What a request could have left out and did stays out, so that a hairstyle reads back to
-// the same one.
+// From core's structs to JSON. Defaults are written out, so that a hairstyle reads back to the same one even if a
+// default should change; what is unset stays out.
 
 nlohmann::ordered_json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
 
-/// Every chain's rotations and positions, picture by picture.
-nlohmann::ordered_json pictures_json(std::span<const Chain> chains, const HairMotion& motion);
-nlohmann::ordered_json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion);
+/// Every chain's rotations and positions, picture by picture; incomplete once `stop` is set.
+nlohmann::ordered_json pictures_json(std::span<const Chain> chains, const HairMotion& motion,
+                                     const std::stop_token& stop);
+
+/// What an animator would check; incomplete once `stop` is set.
+nlohmann::ordered_json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion,
+                                    const std::stop_token& stop);
 
 /// What a caller should be told although there is an answer.
 nlohmann::ordered_json warnings_json(const Schedule* schedule);

@@ -182,7 +182,7 @@ std::string help() {
     std::string text =
         "Turns strokes into anime hair, over HTTP.\n\n"
         "Usage: tuftwave-server [OPTIONS]              serve until SIGTERM\n"
-        "       tuftwave-server healthcheck [OPTIONS]  ask a running server whether it is ready: exit code 0 or 1\n"
+        "       tuftwave-server healthcheck [OPTIONS]  ask a running server whether it lives: exit code 0 or 1\n"
         "       tuftwave-server --print-config [OPTIONS]\n"
         "       tuftwave-server --help | --version\n\n"
         "A flag goes before the environment, that before the file, that before the default.\n\nOptions:\n";

@@ -15,8 +15,8 @@ struct Config {
     std::string admin_host = "127.0.0.1";
     int admin_port = 8081;  ///< 0 picks a free one
     int workers = 0;        ///< threads that compute; 0: as many as cores
-    int queue = 64;         ///< jobs that may wait for a worker
-    int connections = 64;   ///< threads that read and write, one per open connection
+    int queue = 32;         ///< jobs that may wait for a worker; fewer than connections, or nobody is ever refused
+    int connections = 128;  ///< threads that read and write, one per open connection
     double deadline_seconds = 10;
     double drain_seconds = 0;
     std::string log_level = "info";

@@ -34,7 +34,8 @@ std::vector<std::string> claim_names(std::span<const Chain> chains, const std::s
 }  // namespace
 
 std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each) {
+                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each,
+                      const std::stop_token& stop) {
     Document document(kGenerator);
     document.set_asset_extras(asset_extras);
     const std::vector<std::string> names = claim_names(plan.chains, "tuft");
@@ -50,7 +51,7 @@ std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::js
     if (plan.motion) clip.emplace(document, skeleton, plan.motion->schedule, animation_extras);
 
     document.allocate();
-    meshes.fill(for_each);
+    meshes.fill(for_each, stop);
     if (clip) clip->fill(plan.motion->chains);
     return document.write(container);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "gltf/document.hpp"
@@ -22,9 +23,10 @@ struct Look {
 /// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its held clip.
 /// @param asset_extras      goes into asset.extras
 /// @param animation_extras  goes into the clip's extras; ignored when nothing moves
-/// Deterministic for any `for_each`.
+/// Deterministic for any `for_each`; incomplete once `stop` is set.
 std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each);
+                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each,
+                      const std::stop_token& stop);
 
 /// Writes a skeleton and its held clip, without meshes.
 std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,

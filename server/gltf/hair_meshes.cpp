@@ -129,9 +129,11 @@ std::vector<HairMeshes::Start> HairMeshes::tuft_starts() const {
     return starts;
 }
 
-void HairMeshes::fill(const ForEach& for_each) {
+void HairMeshes::fill(const ForEach& for_each, const std::stop_token& stop) {
     const std::vector<Start> starts = tuft_starts();
-    for_each(plan_.tufts.size(), [&](std::size_t i) { fill_tuft(plan_.tufts[i], plan_.chains[i], starts[i]); });
+    for_each(plan_.tufts.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) fill_tuft(plan_.tufts[i], plan_.chains[i], starts[i]);
+    });
     for (const auto& [tuft, accessor] : index_owners_) fill_indices(*tuft, accessor, 0, 0);
     for (const Part& part : parts_) document_.set_bounds(part.positions);
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -25,8 +26,9 @@ class HairMeshes {
     /// All tufts as one mesh with one skin.
     void reserve_merged(const SkeletonNodes& skeleton, int material);
 
-    /// Writes every vertex, triangle and bind matrix; call after document.allocate().
-    void fill(const ForEach& for_each);
+    /// Writes every vertex, triangle and bind matrix; call after document.allocate(). Leaves tufts out once `stop` is
+    /// set.
+    void fill(const ForEach& for_each, const std::stop_token& stop);
 
   private:
     struct Part {

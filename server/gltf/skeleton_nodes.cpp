@@ -44,6 +44,8 @@ void SkeletonNodes::add_chain(const Chain& chain, const std::string& name) {
         global = global * rotation;
         origin = chain.nodes[i];
     }
+    if (chain.name != name && !chain.name.empty())
+        document_.set_node_extras(nodes.joints.front(), {{"name", chain.name}});
     nodes.tip = parent;
     chains_.push_back(std::move(nodes));
 }

@@ -128,7 +128,7 @@ std::ptrdiff_t Connection::read(char* const to, const std::size_t count) {
 }
 
 bool Connection::write(const std::string_view bytes) {
-    const auto deadline = Clock::now() + limits_.write + std::chrono::seconds(bytes.size() / limits_.write_rate);
+    auto deadline = Clock::now() + limits_.write + std::chrono::seconds(bytes.size() / limits_.write_rate);
     for (std::string_view rest = bytes; !rest.empty();) {
         const ssize_t sent = ::send(descriptor_, rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
         if (sent > 0) {
@@ -136,6 +136,7 @@ bool Connection::write(const std::string_view bytes) {
             rest.remove_prefix(static_cast<std::size_t>(sent));
             continue;
         }
+        if (stopping_) deadline = std::min(deadline, Clock::now() + kLastRequest);
         const bool is_full = sent < 0 && (errno == EAGAIN || errno == EINTR);
         if (!is_full || !wait_until(POLLOUT, std::min(deadline, Clock::now() + limits_.stall), false)) {
             is_closing_ = true;

@@ -60,9 +60,8 @@ class EndSignals {
 /// A listener and the thread that accepts for it.
 class Door {
   public:
-    Door(ListenerOptions options, Listener::Handle handle, Service& service)
-        : host_(options.host),
-          listener_(std::move(options), std::move(handle), [&service](int status) { return service.refuse(status); }) {}
+    Door(ListenerOptions options, Listener::Handle handle, Listener::Problem problem)
+        : host_(options.host), listener_(std::move(options), std::move(handle), std::move(problem)) {}
     ~Door() { close(); }
 
     /// @return  whether it has its port; otherwise it says why not
@@ -109,10 +108,11 @@ int run(const Config& config) {
     Service service(config, pool, log);
     Door front(
         {config.host, config.port, config.connections, Service::body_limit()},
-        [&](const Request& request) { return service.handle(request); }, service);
+        [&](const Request& request) { return service.handle(request); },
+        [&](int status) { return service.refuse(status); });
     Door admin(
         {config.admin_host, config.admin_port, kAdminConnections, kAdminBodyBytes},
-        [&](const Request& request) { return service.handle_admin(request); }, service);
+        [&](const Request& request) { return service.handle_admin(request); }, Service::admin_problem);
     if (!front.bind() || !admin.bind()) return 1;
     front.open();
     admin.open();

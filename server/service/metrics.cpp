@@ -53,16 +53,6 @@ void Metrics::count_queue_wait(double seconds) {
     queue_wait_.add(seconds);
 }
 
-void Metrics::request_begins() {
-    const std::lock_guard lock(mutex_);
-    ++in_flight_;
-}
-
-void Metrics::request_ends() {
-    const std::lock_guard lock(mutex_);
-    --in_flight_;
-}
-
 std::string Metrics::text(const Gauges& gauges) const {
     const std::lock_guard lock(mutex_);
     std::string out;

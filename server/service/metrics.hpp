@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -26,8 +27,17 @@ class Metrics {
     /// Time that an accepted computation waited for a worker.
     void count_queue_wait(double seconds);
 
-    void request_begins();
-    void request_ends();
+    /// A request that is being answered, for as long as this lives.
+    class InFlight {
+      public:
+        explicit InFlight(Metrics& metrics) : count_(metrics.in_flight_) { ++count_; }
+        ~InFlight() { --count_; }
+        InFlight(const InFlight&) = delete;
+        InFlight& operator=(const InFlight&) = delete;
+
+      private:
+        std::atomic<std::uint64_t>& count_;
+    };
 
     /// Prometheus text format 0.0.4.
     std::string text(const Gauges& gauges) const;
@@ -47,7 +57,8 @@ class Metrics {
     std::map<std::tuple<std::string, std::string, int>, std::uint64_t> requests_;  // route, method, status
     std::map<std::string, Histogram> durations_;                                   // route
     Histogram queue_wait_;
-    std::uint64_t bytes_out_ = 0, in_flight_ = 0;
+    std::uint64_t bytes_out_ = 0;
+    std::atomic<std::uint64_t> in_flight_ = 0;
 };
 
 }  // namespace tuftwave::server

@@ -106,14 +106,13 @@ std::size_t Service::body_limit() { return JsonLimits{}.bytes; }
 
 Response Service::handle(const Request& request) {
     const auto begin = Clock::now();
-    metrics_.request_begins();
+    const Metrics::InFlight in_flight(metrics_);
     Record record;
     const std::string id = next_id();
     Answer made = answer(request, record);
     Response response = std::holds_alternative<Problem>(made) ? to_response(std::get<Problem>(made), id)
                                                               : std::get<Response>(std::move(made));
     response.headers.emplace_back("Request-Id", id);
-    metrics_.request_ends();
     note(request, response, id, record, seconds_between(begin, Clock::now()));
     return response;
 }
@@ -151,7 +150,9 @@ Answer Service::compute(const Route& route, const Request& request, Record& reco
 
 Answer Service::run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const {
     try {
-        return route.run(request, {limits_, for_each, std::move(stop)});
+        Answer made = route.run(request, {limits_, for_each, stop});
+        if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
+        return made;
     } catch (const std::bad_alloc&) {
         return busy();
     } catch (...) {  // what it says is for us, never for a client
@@ -175,11 +176,13 @@ void Service::note(const Request& request, const Response& response, const std::
                   record.core_seconds * 1e3, seconds * 1e3, request.body.size(), response.body.size()});
 }
 
+Response Service::admin_problem(int status) { return to_response(http_problem(status), "none"); }
+
 Response Service::handle_admin(const Request& request) const {
-    if (request.method != "GET" && request.method != "HEAD") return to_response(http_problem(405), "none");
+    if (request.method != "GET" && request.method != "HEAD") return admin_problem(405);
     const Pool::Stats stats = pool_.stats();
     if (request.path == "/livez") return plain(200, "alive\n");
-    if (request.path == "/readyz" || request.path == "/healthz") {
+    if (request.path == "/readyz") {
         if (is_draining_) return plain(503, "draining\n");
         return stats.queued < stats.capacity ? plain(200, "ready\n") : plain(503, "full\n");
     }
@@ -190,7 +193,7 @@ Response Service::handle_admin(const Request& request) const {
         response.content_type = "text/plain; version=0.0.4; charset=utf-8";
         return response;
     }
-    return to_response(http_problem(404), "none");
+    return admin_problem(404);
 }
 
 Response Service::refuse(int status) {

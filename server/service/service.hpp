@@ -27,6 +27,9 @@ class Service {
     /// Answers /livez, /readyz and /metrics, at once whatever the load.
     Response handle_admin(const Request& request) const;
 
+    /// What /livez and its like answer where they refuse; neither counted nor logged.
+    static Response admin_problem(int status);
+
     /// Makes /readyz say that no new work is wanted; requests that still come are answered.
     void start_draining() { is_draining_ = true; }
 

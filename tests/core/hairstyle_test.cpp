@@ -106,7 +106,8 @@ TEST(Hairstyle, EachLimitFires) {
         {"rings of a tuft", [](Limits& l) { l.rings_per_tuft = 5; }, "/tufts/0", "rings"},
         {"vertices", [&](Limits& l) { l.vertices = plan->vertices - 1; }, "/mesh", "vertices"},
         {"triangles", [&](Limits& l) { l.triangles = plan->indices / 3 - 1; }, "/mesh", "triangles"},
-        {"node poses", [](Limits& l) { l.node_poses = 191; }, "/tufts", "0 to 191"},  // 27 bones and 5 tips, 6 pictures
+        {"node poses", [](Limits& l) { l.node_poses = 191; }, "/tufts",
+         "191 nodes times pictures"},  // 27 bones and 5 tips, 6 pictures
         {"pictures", [](Limits& l) { l.pictures = 5; }, "/motion/timing/period", "pictures"},
         {"frames", [](Limits& l) { l.frames = 10; }, "/motion/timing/period", "frames"},
     };
@@ -120,6 +121,15 @@ TEST(Hairstyle, EachLimitFires) {
         EXPECT_NE(refused.error().allowed.find(limit.allowed), std::string::npos)
             << limit.name << ": " << refused.error().allowed;
     }
+}
+
+TEST(Hairstyle, GivenRingsAreRefusedBeforeATuftIsPlanned) {
+    Hairstyle hairstyle = moving_hair();
+    hairstyle.tufts.resize(9, hairstyle.tufts[0]);
+    hairstyle.tufts[0].diameter = 1e9;  // planning would trip over this first
+    hairstyle.mesh.rings = 4'096;
+    hairstyle.mesh.sides = 64;
+    EXPECT_TRUE(is_refused(planned(hairstyle), ErrorCode::kTooMany, "/mesh"));
 }
 
 /// Counts the jobs it runs.

@@ -193,5 +193,12 @@ TEST(Config, PrintedConfigurationCanBeFedBack) {
     for (const Option& option : options()) EXPECT_TRUE(json.contains(option.name)) << option.name;
 }
 
+/// Each connection has at most one request: with fewer of them than places to wait, a full queue would never be seen.
+TEST(Config, DefaultsLetAFullQueueRefuse) {
+    const Config config;
+    const int workers_of_a_large_machine = 64;
+    EXPECT_GT(config.connections, config.queue + workers_of_a_large_machine);
+}
+
 }  // namespace
 }  // namespace tuftwave::server

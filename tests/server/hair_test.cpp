@@ -97,6 +97,14 @@ TEST(Tufts, AreStillAndKnowNoMotion) {
     EXPECT_EQ(glb_json(body_of(answer_to(json_post("/v1/tufts", body.dump()))))["meshes"].size(), 1U);
 }
 
+TEST(Tufts, TheRecipeInTheFileMakesTheSameFileAgain) {
+    nlohmann::json body = small_hairstyle();
+    body.erase("motion");
+    const std::string first = body_of(answer_to(json_post("/v1/tufts", body.dump())));
+    const nlohmann::json recipe = glb_json(first)["asset"]["extras"]["tuftwave"]["hairstyle"];
+    EXPECT_EQ(body_of(answer_to(json_post("/v1/tufts", recipe.dump()))), first);
+}
+
 TEST(Tufts, WantJsonInIdentityEncoding) {
     Request request = json_post("/v1/tufts", "{}");
     request.headers[0].second = "application/x-www-form-urlencoded";

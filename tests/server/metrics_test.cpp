@@ -40,9 +40,8 @@ TEST(Metrics, SaturationIsTheShareOfAllPlaces) {
 
 TEST(Metrics, InFlightGoesUpAndDown) {
     Metrics metrics;
-    metrics.request_begins();
-    metrics.request_begins();
-    metrics.request_ends();
+    const Metrics::InFlight first(metrics);
+    { const Metrics::InFlight second(metrics); }
     EXPECT_NE(metrics.text({}).find("tuftwave_http_requests_in_flight 1\n"), std::string::npos);
 }
 

@@ -45,6 +45,15 @@ TEST(Motions, ClipHasOneChannelPerBoneAndATipWithoutOne) {
     EXPECT_FALSE(gltf.contains("meshes"));
 }
 
+TEST(Motions, AChainsOwnNameIsKeptOnItsFirstJoint) {
+    nlohmann::json body = one_chain();
+    body["chains"][0]["name"] = "J_Sec_Hair1_01";  // too long for a VMD bone with a number behind it
+    const Answer answer = answer_to(json_post("/v1/motions", body.dump(), "model/gltf-binary"));
+    const nlohmann::json gltf = glb_json(std::get<Response>(answer).body);
+    EXPECT_EQ(gltf["nodes"][1]["name"], "chain_0001_01");
+    EXPECT_EQ(gltf["nodes"][1]["extras"]["name"], "J_Sec_Hair1_01");
+}
+
 TEST(Motions, OneSidedTakesOutwardFromTheHeadOrFromTheChain) {
     nlohmann::json body = one_chain();
     body["motion"]["one_sided"] = true;

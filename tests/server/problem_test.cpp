@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "assets/assets.hpp"
+
 namespace tuftwave::server {
 namespace {
 
@@ -16,6 +18,19 @@ TEST(Problem, EveryCodeHasItsOwnSlugAndAnErrorStatus) {
         EXPECT_TRUE(slugs.insert(slug(static_cast<ProblemCode>(code))).second) << code;
         EXPECT_GE(status(static_cast<ProblemCode>(code)), 400) << code;
         EXPECT_LE(status(static_cast<ProblemCode>(code)), 599) << code;
+    }
+}
+
+TEST(Problem, TheContractListsEverySlug) {
+    const std::string contract(asset("openapi.yaml").value());
+    const std::string list = contract.substr(contract.find("    Slug:\n"));
+    std::size_t listed = 0;
+    for (std::size_t at = list.find("        - "); at != std::string::npos; at = list.find("        - ", at + 1))
+        ++listed;
+    EXPECT_EQ(listed, static_cast<std::size_t>(ProblemCode::kInternal) + 1);
+    for (int code = 0; code <= static_cast<int>(ProblemCode::kInternal); ++code) {
+        EXPECT_NE(list.find(std::string("        - ") + slug(static_cast<ProblemCode>(code)) + "\n"), std::string::npos)
+            << code;
     }
 }
 

@@ -66,12 +66,13 @@ TEST(Reader, NullEmptiesWhatMayBeEmpty) {
 
 TEST(Reader, NamesTheItemThatIsWrong) {
     std::vector<Vec3> points;
-    const auto read = [&](Fields& f) { f.vectors("x", points); };
+    const auto read = [&](Fields& f) { f.vectors("x", 2, points); };
     EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4,5]]})", read), "");
     EXPECT_EQ(points, (std::vector<Vec3>{{0, 1, 2}, {3, 4, 5}}));
     EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,"4",5]]})", read), "wrong_type /x/1/1");
     EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4]]})", read), "wrong_type /x/1");
     EXPECT_EQ(outcome(R"({"x":{}})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":[1,2,3]})", read), "too_many /x");  // refused unread
 }
 
 TEST(Reader, FindsFieldsThatNobodyAskedFor) {

@@ -8,7 +8,7 @@
 
 namespace tuftwave {
 
-/// Which reading of the papers is used: mended as shared/method.md says, or as they were printed.
+/// Which reading of the papers is used: mended as core/README.md says, or as they were printed.
 enum class Formulas { kCorrected, kAsPrinted };
 
 /// Where the shorter holds of a cycle go: to its last pictures (the paper), or spread evenly.
@@ -66,7 +66,7 @@ int picture_at(const Schedule& schedule, int frame);
 
 /// The phase of `picture`, radians in [0, 2 pi), from integers only, so that a whole cycle later it is the same number.
 /// @param cycles  waves that pass during one loop, >= 1
-/// @param shift   whole pictures to run ahead, any sign
+/// @param shift   how far to run ahead, in steps of 2 pi / pictures, any sign
 double picture_phase(const Schedule& schedule, int picture, int cycles = 1, int shift = 0);
 
 /// Whether `pictures` is in the range of 3 to 8 that animators use; outside it a caller should be told.
