@@ -22,7 +22,7 @@ constexpr std::array kOptions{
            "Port of /livez, /readyz and /metrics; 0 picks a free one"},
     Option{"workers", "", &Config::workers, 0, 256, "", "threads", "Threads that compute; 0 means as many as cores"},
     Option{"queue", "", &Config::queue, 1, 10'000, "", "jobs",
-           "Jobs that may wait for a worker before requests are refused"},
+           "Jobs that may wait for a worker before requests are refused; with the workers fewer than connections"},
     Option{"connections", "", &Config::connections, 8, 1'024, "", "threads",
            "Threads that read and write, one for each open connection"},
     Option{"deadline", "", &Config::deadline_seconds, 0.1, 600, "", "seconds",

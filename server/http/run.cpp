@@ -122,6 +122,9 @@ int run(const Config& config) {
     log.event(Log::Level::kInfo, "ready",
               {{"version", kVersion}, {"address", front.address()}, {"admin", admin.address()}});
 
+    if (config.connections <= config.queue + worker_count(config))
+        log.event(Log::Level::kWarn, "the queue cannot fill: connections <= queue + workers, so nobody is refused");
+
     signals.wait();
     signals.let_the_next_one_end_the_process();
     log.event(Log::Level::kInfo, "draining");
