@@ -21,26 +21,14 @@ Check check_counts(const Hairstyle& hairstyle, const Limits& limits) {
         points += tuft.points.size();
         joints += static_cast<std::size_t>(tuft.joints > 0 ? tuft.joints : 0);
     }
-    const auto too_many = [](std::size_t count, std::size_t most, const std::string& what) {
-        return Error{ErrorCode::kTooMany,
-                     "/tufts",
-                     static_cast<double>(count),
-                     "at most " + std::to_string(most) + " " + what + " in all tufts",
-                     {},
-                     static_cast<double>(most)};
-    };
-    if (points > limits.points) return too_many(points, limits.points, "points");
-    if (joints > limits.joints) return too_many(joints, limits.joints, "joints");
-    return {};
+    if (Check wrong = check_total(points, limits.points, "points in all tufts", "/tufts")) return wrong;
+    return check_total(joints, limits.joints, "joints in all tufts", "/tufts");
 }
 
-Error mesh_too_large(std::size_t count, std::size_t most, const std::string& what) {
-    return {ErrorCode::kTooMany,
-            "/mesh",
-            static_cast<double>(count),
-            "at most " + std::to_string(most) + " " + what + "; use a larger tolerance, fewer rings or fewer sides",
-            {},
-            static_cast<double>(most)};
+Check check_mesh_size(std::size_t vertices, std::size_t triangles, const Limits& limits) {
+    const std::string advice = "; use a larger tolerance, fewer rings or fewer sides";
+    if (Check wrong = check_total(vertices, limits.vertices, "vertices" + advice, "/mesh")) return wrong;
+    return check_total(triangles, limits.triangles, "triangles" + advice, "/mesh");
 }
 
 /// Where the rings are given, how large the mesh will be is known before any work.
@@ -50,9 +38,7 @@ Check check_given_rings(const Hairstyle& hairstyle, const Limits& limits) {
     const auto sides = static_cast<std::size_t>(hairstyle.mesh.sides);
     const std::size_t vertices = hairstyle.tufts.size() * (2 + rings * (sides + 1));
     const std::size_t triangles = hairstyle.tufts.size() * 2 * sides * rings;
-    if (vertices > limits.vertices) return mesh_too_large(vertices, limits.vertices, "vertices");
-    if (triangles > limits.triangles) return mesh_too_large(triangles, limits.triangles, "triangles");
-    return {};
+    return check_mesh_size(vertices, triangles, limits);
 }
 
 /// Adds the tufts in [from, to) to the plan's counts.
@@ -62,9 +48,7 @@ Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits&
         plan.indices += plan.tufts[i].index_count();
         plan.joints += static_cast<std::size_t>(plan.tufts[i].joints);
     }
-    if (plan.vertices > limits.vertices) return mesh_too_large(plan.vertices, limits.vertices, "vertices");
-    if (plan.indices / 3 > limits.triangles) return mesh_too_large(plan.indices / 3, limits.triangles, "triangles");
-    return {};
+    return check_mesh_size(plan.vertices, plan.indices / 3, limits);
 }
 
 /// Plans the tufts in [from, to); of several that are wrong the first is named.

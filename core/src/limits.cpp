@@ -40,4 +40,11 @@ Check check_count(std::size_t count, std::size_t minimum, std::size_t maximum, c
                   span_text(range));
 }
 
+Check check_total(std::size_t total, std::size_t most, const std::string& what, const std::string& field) {
+    if (total <= most) return {};
+    return Error{
+        ErrorCode::kTooMany,      field, static_cast<double>(total), "at most " + std::to_string(most) + " " + what, {},
+        static_cast<double>(most)};
+}
+
 }  // namespace tuftwave

@@ -44,13 +44,7 @@ Check check_chains(std::span<const Chain> chains, const Motion& motion, const Sc
         }
         poses += chains[i].nodes.size() * static_cast<std::size_t>(schedule.pictures);
     }
-    if (poses <= limits.node_poses) return {};
-    return Error{ErrorCode::kTooMany,
-                 "",
-                 static_cast<double>(poses),
-                 "at most " + std::to_string(limits.node_poses) + " nodes times pictures in all chains",
-                 {},
-                 static_cast<double>(limits.node_poses)};
+    return check_total(poses, limits.node_poses, "nodes times pictures in all chains", "");
 }
 
 /// How far a chain runs ahead, radians. @param index  of the chain, for the scatter

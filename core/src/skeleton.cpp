@@ -67,13 +67,7 @@ Check check_chains(std::span<const Chain> chains, const Limits& limits) {
         if (Check wrong = check_chain(chains[i], limits)) return within("/" + std::to_string(i), *wrong);
         bones += chains[i].nodes.size() - 1;
     }
-    if (bones <= limits.joints) return {};
-    return Error{ErrorCode::kTooMany,
-                 "",
-                 static_cast<double>(bones),
-                 "at most " + std::to_string(limits.joints) + " bones in all chains",
-                 {},
-                 static_cast<double>(limits.joints)};
+    return check_total(bones, limits.joints, "bones in all chains", "");
 }
 
 Chain chain_along(const Curve& curve, int joints) {

@@ -73,6 +73,10 @@ Check check_magnitude(double value, Range range, const std::string& field);
 /// @errors  too_few, too_many
 Check check_count(std::size_t count, std::size_t minimum, std::size_t maximum, const std::string& field);
 
+/// For what only a sum over a request can exceed. @param what  what is counted, for the message: "points in all tufts"
+/// @errors  too_many
+Check check_total(std::size_t total, std::size_t most, const std::string& what, const std::string& field);
+
 /// A number as people write it, without trailing zeros: "0.45", "24".
 std::string to_text(double value);
 
