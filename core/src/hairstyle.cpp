@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "hair_fills.hpp"
+
 namespace tuftwave {
 namespace {
 
@@ -14,12 +16,15 @@ const Error kCancelled{ErrorCode::kCancelled, "", {}, "", {}, {}};
 
 std::string place_of_tuft(std::size_t i) { return "/tufts/" + std::to_string(i); }
 
-Check check_counts(const Hairstyle& hairstyle, const Limits& limits) {
-    if (Check wrong = check_count(hairstyle.tufts.size(), 1, limits.tufts, "/tufts")) return wrong;
+/// All tufts of a hairstyle, the drawn ones first.
+using Tufts = std::vector<const Tuft*>;
+
+Check check_counts(const Tufts& tufts, const Limits& limits) {
+    if (Check wrong = check_count(tufts.size(), 1, limits.tufts, "/tufts")) return wrong;
     std::size_t points = 0, joints = 0;
-    for (const Tuft& tuft : hairstyle.tufts) {
-        points += tuft.points.size();
-        joints += static_cast<std::size_t>(tuft.joints > 0 ? tuft.joints : 0);
+    for (const Tuft* tuft : tufts) {
+        points += tuft->points.size();
+        joints += static_cast<std::size_t>(tuft->joints > 0 ? tuft->joints : 0);
     }
     if (Check wrong = check_total(points, limits.points, "points in all tufts", "/tufts")) return wrong;
     return check_total(joints, limits.joints, "joints in all tufts", "/tufts");
@@ -32,12 +37,12 @@ Check check_mesh_size(std::size_t vertices, std::size_t triangles, const Limits&
 }
 
 /// Where the rings are given, how large the mesh will be is known before any work.
-Check check_given_rings(const Hairstyle& hairstyle, const Limits& limits) {
-    if (!hairstyle.mesh.rings) return {};
-    const auto rings = static_cast<std::size_t>(*hairstyle.mesh.rings);
-    const auto sides = static_cast<std::size_t>(hairstyle.mesh.sides);
-    const std::size_t vertices = hairstyle.tufts.size() * (2 + rings * (sides + 1));
-    const std::size_t triangles = hairstyle.tufts.size() * 2 * sides * rings;
+Check check_given_rings(std::size_t tufts, const MeshDetail& mesh, const Limits& limits) {
+    if (!mesh.rings) return {};
+    const auto rings = static_cast<std::size_t>(*mesh.rings);
+    const auto sides = static_cast<std::size_t>(mesh.sides);
+    const std::size_t vertices = tufts * (2 + rings * (sides + 1));
+    const std::size_t triangles = tufts * 2 * sides * rings;
     return check_mesh_size(vertices, triangles, limits);
 }
 
@@ -52,13 +57,13 @@ Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits&
 }
 
 /// Plans the tufts in [from, to); of several that are wrong the first is named.
-Check plan_some_tufts(const Hairstyle& hairstyle, std::size_t from, std::size_t to, const Limits& limits,
-                      const ForEach& for_each, const std::stop_token& stop, HairPlan& plan) {
+Check plan_some_tufts(const Hairstyle& hairstyle, const Tufts& tufts, std::size_t from, std::size_t to,
+                      const Limits& limits, const ForEach& for_each, const std::stop_token& stop, HairPlan& plan) {
     std::vector<Check> wrong(to - from);
     for_each(to - from, [&](std::size_t job) {
         if (stop.stop_requested()) return;
         const std::size_t i = from + job;
-        Result<PlannedTuft> planned = plan_tuft(hairstyle.tufts[i], hairstyle.head, hairstyle.mesh, limits);
+        Result<PlannedTuft> planned = plan_tuft(*tufts[i], hairstyle.head, hairstyle.mesh, limits);
         if (!planned) {
             wrong[job] = within(place_of_tuft(i), planned.error());
             return;
@@ -75,14 +80,14 @@ Check plan_some_tufts(const Hairstyle& hairstyle, std::size_t from, std::size_t 
 
 /// Plans every tuft and counts what the mesh will be. Some at a time: rings take memory, and too many of them must be
 /// noticed before all have been made; always the same ones, so that the same tuft is named whoever does the work.
-Check plan_tufts(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each, const std::stop_token& stop,
-                 HairPlan& plan) {
-    const std::size_t count = hairstyle.tufts.size();
+Check plan_tufts(const Hairstyle& hairstyle, const Tufts& tufts, const Limits& limits, const ForEach& for_each,
+                 const std::stop_token& stop, HairPlan& plan) {
+    const std::size_t count = tufts.size();
     plan.tufts.resize(count);
     plan.chains.resize(count);
     for (std::size_t from = 0; from < count; from += kTuftsAtOnce) {
         const std::size_t to = std::min(from + kTuftsAtOnce, count);
-        if (Check wrong = plan_some_tufts(hairstyle, from, to, limits, for_each, stop, plan)) return wrong;
+        if (Check wrong = plan_some_tufts(hairstyle, tufts, from, to, limits, for_each, stop, plan)) return wrong;
         if (Check wrong = count_mesh(plan, from, to, limits)) return wrong;
     }
     return {};
@@ -103,10 +108,12 @@ Result<HairMotion> plan_motion(const Hairstyle& hairstyle, const Limits& limits,
 
 Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
                                 std::stop_token stop) {
-    if (Check wrong = check_counts(hairstyle, limits)) return *wrong;
+    Tufts tufts;
+    for (const Tuft& tuft : hairstyle.tufts) tufts.push_back(&tuft);
+    if (Check wrong = check_counts(tufts, limits)) return *wrong;
     if (Check wrong = check_head(hairstyle.head, limits)) return within("/head", *wrong);
     if (Check wrong = check_detail(hairstyle.mesh, limits)) return within("/mesh", *wrong);
-    if (Check wrong = check_given_rings(hairstyle, limits)) return *wrong;
+    if (Check wrong = check_given_rings(tufts.size(), hairstyle.mesh, limits)) return *wrong;
     std::optional<Schedule> schedule;
     if (hairstyle.motion) {
         Result<Schedule> made = make_schedule(hairstyle.motion->timing, hairstyle.formulas, limits);
@@ -114,9 +121,17 @@ Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits
         schedule = std::move(made).value();
         if (Check wrong = check_motion(*hairstyle.motion, *schedule, limits)) return within("/motion", *wrong);
     }
+    const Result<std::vector<Filled>> fills = fill_hairstyle(hairstyle, limits, for_each, stop);
+    if (!fills) return fills.error();
 
     HairPlan plan;
-    if (Check wrong = plan_tufts(hairstyle, limits, for_each, stop, plan)) return *wrong;
+    for (const Filled& fill : *fills) {
+        for (const Tuft& tuft : fill.tufts) tufts.push_back(&tuft);
+        plan.fills.push_back(fill.report);
+    }
+    if (Check wrong = check_counts(tufts, limits)) return *wrong;
+    if (Check wrong = check_given_rings(tufts.size(), hairstyle.mesh, limits)) return *wrong;
+    if (Check wrong = plan_tufts(hairstyle, tufts, limits, for_each, stop, plan)) return *wrong;
     if (schedule) {
         Result<HairMotion> moved = plan_motion(hairstyle, limits, for_each, stop, plan.chains, std::move(*schedule));
         if (!moved) return moved.error();

@@ -233,5 +233,93 @@ TEST(Hairstyle, StoppedHalfwayHasNoResult) {
                            ErrorCode::kCancelled, ""));
 }
 
+/// Two fills: from the first twin tail over the back to the other one, and a ring of the fringe.
+Hairstyle filled_hair() {
+    Hairstyle hairstyle = moving_hair();
+    hairstyle.fills.resize(2);
+    hairstyle.fills[0].from = 2;
+    hairstyle.fills[0].to = 3;
+    hairstyle.fills[0].settings.density.crown = 50;
+    hairstyle.fills[1].from = 0;
+    hairstyle.fills[1].settings.name = "ring";
+    return hairstyle;
+}
+
+TEST(HairstyleFills, ComeAfterTheDrawnTuftsAndMoveWithThem) {
+    const Hairstyle hairstyle = filled_hair();
+    const Result<HairPlan> plan = planned(hairstyle);
+    ASSERT_TRUE(plan) << plan.error().field;
+    ASSERT_EQ(plan->fills.size(), 2u);
+    const std::size_t first = plan->fills[0].along + plan->fills[0].crown, second = plan->fills[1].along;
+    EXPECT_GT(first, 3u);
+    EXPECT_EQ(second, 16u);
+    const std::size_t drawn = hairstyle.tufts.size();
+    ASSERT_EQ(plan->chains.size(), drawn + first + second);
+    EXPECT_EQ(plan->tufts.size(), plan->chains.size());
+    EXPECT_EQ(plan->motion->chains.size(), plan->chains.size());
+    EXPECT_EQ(plan->chains[drawn].name, "fill_1");
+    EXPECT_EQ(plan->chains[drawn + first].name, "ring_1");
+    EXPECT_EQ(plan->chains.back().name, "ring_16");
+}
+
+TEST(HairstyleFills, OfATuftWithItselfAreRings) {
+    Hairstyle hairstyle = filled_hair();
+    hairstyle.fills[1].to = 0;
+    EXPECT_EQ(planned(hairstyle)->fills[1].along, 16u);
+}
+
+TEST(HairstyleFills, BetweenTuftsOfWhichOneIsWrongNameTheTuft) {
+    Hairstyle hairstyle = filled_hair();
+    hairstyle.tufts[3].points[1].x = 1e7;
+    EXPECT_TRUE(is_refused(planned(hairstyle), ErrorCode::kOutOfRange, "/tufts/3/points/1/0"));
+}
+
+TEST(HairstyleFills, AreRefusedAtTheirPlace) {
+    const struct {
+        const char* name;
+        std::function<void(Hairstyle&)> change;
+        ErrorCode code;
+        const char* field;
+    } cases[] = {
+        {"density", [](Hairstyle& h) { h.fills[1].settings.density.neck = 101; }, ErrorCode::kOutOfRange,
+         "/fills/1/density/neck"},
+        {"too dense", [](Hairstyle& h) { h.fills[0].settings.tufts_per_meter = 1e6; }, ErrorCode::kTooMany,
+         "/fills/0/density/along"},
+        {"head outside its scalp",
+         [](Hairstyle& h) {
+             h.head.scalp = ScalpEllipsoid{Vec3{0, 1, 0}, {0.1, 0.1, 0.1}};
+         },
+         ErrorCode::kDegenerate, "/head/scalp/ellipsoid"},
+        {"too many", [](Hairstyle& h) { h.fills.resize(1025); }, ErrorCode::kTooMany, "/fills"},
+    };
+    for (const auto& wrong : cases) {
+        Hairstyle hairstyle = filled_hair();
+        wrong.change(hairstyle);
+        EXPECT_TRUE(is_refused(planned(hairstyle), wrong.code, wrong.field)) << wrong.name;
+    }
+}
+
+TEST(HairstyleFills, CountWithTheDrawnTuftsAndSayHowManyWouldHaveCome) {
+    const Hairstyle hairstyle = filled_hair();
+    const std::size_t all = planned(hairstyle)->chains.size();
+    Limits limits;
+    limits.tufts = all;
+    EXPECT_TRUE(planned(hairstyle, limits));
+    limits.tufts = all - 1;
+    const Result<HairPlan> refused = planned(hairstyle, limits);
+    ASSERT_TRUE(is_refused(refused, ErrorCode::kTooMany, "/fills/1"));
+    EXPECT_EQ(std::get<double>(refused.error().given), static_cast<double>(all));
+    limits = {};
+    limits.joints = 60;
+    EXPECT_TRUE(is_refused(planned(hairstyle, limits), ErrorCode::kTooMany, "/tufts"));
+}
+
+TEST(HairstyleFills, StopWhenTheyAreTold) {
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_TRUE(
+        is_refused(plan_hairstyle(filled_hair(), {}, InOrder{}, source.get_token()), ErrorCode::kCancelled, ""));
+}
+
 }  // namespace
 }  // namespace tuftwave

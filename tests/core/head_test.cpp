@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -78,6 +79,102 @@ TEST(SunkRoot, WithoutDepthIsTheRootItself) {
     head.root_depth = 0;
     const Vec3 root{0.03, 0.1, -0.02};
     EXPECT_EQ(sunk_root(head, root), root);
+}
+
+TEST(HeadFrame, HasTheLeftEarOnXTheFaceAgainstYAndTheCrownOnZ) {
+    Head head;
+    head.center = {1, 2, 3};
+    const HeadFrame frame(head);
+    EXPECT_EQ(frame.to_head({2, 2, 3}), (Vec3{1, 0, 0}));   // glTF's +X is the character's left
+    EXPECT_EQ(frame.to_head({1, 2, 4}), (Vec3{0, -1, 0}));  // glTF's +Z is the face
+    EXPECT_EQ(frame.to_head({1, 3, 3}), (Vec3{0, 0, 1}));   // glTF's +Y is up
+}
+
+TEST(HeadFrame, GoesBackToWhereItCameFromForAnyHead) {
+    test::Random random(2);
+    for (int i = 0; i < 100; ++i) {
+        Head head;
+        head.center = random.in_cube(1);
+        head.up = random.between(0.1, 10) * random.direction();
+        head.front = random.between(0.1, 10) * random.direction();
+        if (check_head(head, {})) continue;
+        const HeadFrame frame(head);
+        const Vec3 point = random.in_cube(2);
+        EXPECT_TRUE(are_near(frame.to_model(frame.to_head(point)), point, 1e-14));
+        EXPECT_NEAR(length(frame.to_head(point)), length(point - head.center), 1e-14);
+        EXPECT_TRUE(are_near(frame.to_head(head.center + normalized(head.up)), {0, 0, 1}, 1e-14));
+    }
+}
+
+TEST(HeadFrame, TakesOnlyThePartOfTheFrontThatIsLevel) {
+    Head head;
+    head.front = {0, 5, 1};
+    EXPECT_TRUE(are_near(HeadFrame(head).to_head({0, 0, 1}), {0, -1, 0}, 1e-15));
+}
+
+TEST(Bearing, CountsAzimuthFromTheLeftEarCounterClockwiseSeenFromAbove) {
+    EXPECT_EQ(bearing_of({2, 0, 0}).azimuth, 0);
+    EXPECT_NEAR(bearing_of({0, 3, 0}).azimuth, kPi / 2, 1e-15);
+    EXPECT_NEAR(bearing_of({0, -1, 0}).azimuth, -kPi / 2, 1e-15);
+    EXPECT_NEAR(bearing_of({0, -1, -1}).elevation, -kPi / 4, 1e-15);
+}
+
+TEST(Bearing, IsUndoneByVectorTowards) {
+    test::Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 direction = random.direction();
+        EXPECT_TRUE(are_near(vector_towards(bearing_of(direction)), direction, 1e-15));
+    }
+}
+
+TEST(Bearing, OfAVerticalVectorHasAzimuthZero) {
+    for (const Vec3& vertical : {Vec3{0, 0, 1}, Vec3{1e-10, -1e-10, -0.5}, Vec3{}}) {
+        EXPECT_TRUE(is_vertical(vertical));
+        EXPECT_EQ(bearing_of(vertical).azimuth, 0);
+    }
+    EXPECT_FALSE(is_vertical({1e-8, 0, 1}));
+}
+
+TEST(TurnAlongMeridian, AddsToAzimuthAndElevation) {
+    test::Random random(4);
+    for (int i = 0; i < 1000; ++i) {
+        const Bearing from{random.between(-kPi, kPi), random.between(-1, 1)};
+        const Bearing by{random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
+        const Vec3 turned = rotated(turn_along_meridian(from.azimuth, by), vector_towards(from));
+        EXPECT_TRUE(
+            are_near(turned, vector_towards({from.azimuth + by.azimuth, from.elevation + by.elevation}), 1e-14));
+    }
+}
+
+TEST(Hairline, FollowsEquationEight) {
+    const double degree = kRadiansPerDegree;
+    const struct {
+        double azimuth_deg, elevation_deg;
+        bool grows;
+    } cases[] = {
+        {-90, 1, true},     // on the forehead
+        {-90, -1, false},   // on the face
+        {-149, -1, false},  // its right edge, inside
+        {-151, -1, true},   // and outside
+        {-31, -1, false},   // its left edge, inside
+        {-29, -1, true},    // and outside
+        {90, -59, true},    // above the neck
+        {90, -61, false},   // on the neck
+        {270, -1, false},   // the face once around
+        {-450, -1, false},  // and the other way
+    };
+    for (const auto& c : cases)
+        EXPECT_EQ(is_within_hairline({c.azimuth_deg * degree, c.elevation_deg * degree}), c.grows)
+            << c.azimuth_deg << " " << c.elevation_deg;
+}
+
+TEST(Hairline, ExcludesItsBorders) {
+    // As printed (8) is strict in elevation, and at the two azimuths the lower bound holds.
+    EXPECT_FALSE(is_within_hairline({-kPi / 2, 0}));
+    EXPECT_FALSE(is_within_hairline({-kPi / 2, 1e-12}));
+    EXPECT_FALSE(is_within_hairline({kPi / 2, -kPi / 3}));
+    EXPECT_TRUE(is_within_hairline({-kPi / 6, -0.5}));
+    EXPECT_TRUE(is_within_hairline({-5 * kPi / 6, -0.5}));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,23 +23,31 @@ inline std::string file_bytes(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The tufts of a hairstyle drawn in VRoid Studio, in the space of its head bone, metres; none where the file is
-/// missing.
-inline std::vector<Tuft> vroid_tufts(const std::string& character) {
+/// The tufts of a hairstyle drawn in VRoid Studio by the tool's groups, in the space of its head bone, metres; none
+/// where the file is missing.
+inline std::map<std::size_t, std::vector<Tuft>> vroid_groups(const std::string& character) {
     const std::string bytes = file_bytes(kDataDirectory / "strokes" / ("vroid_" + character + ".strokes.json"));
-    std::vector<Tuft> tufts;
+    std::map<std::size_t, std::vector<Tuft>> groups;
     const nlohmann::json document = nlohmann::json::parse(bytes, nullptr, false);
-    if (document.is_discarded()) return tufts;
+    if (document.is_discarded()) return groups;
+    std::size_t number = 0;
     for (const nlohmann::json& stroke : document.at("strokes")) {
         std::vector<Vec3> points;
         for (const nlohmann::json& point : stroke.at("points"))
             points.push_back({point.at(0), point.at(1), point.at(2)});
-        Tuft tuft = tuft_along(character + " " + std::to_string(tufts.size()), points);
+        Tuft tuft = tuft_along(character + " " + std::to_string(number++), points);
         tuft.diameter = stroke.at("width").get<double>() * 1000;  // of head.diameter_at_100, 10 cm, in percent
         const double flatness = 1 - stroke.at("thickness").get<double>() / stroke.at("width").get<double>();
         if (flatness > 0) tuft.section = Section::kEllipse, tuft.flatness = flatness;
-        tufts.push_back(std::move(tuft));
+        groups[stroke.at("group").get<std::size_t>()].push_back(std::move(tuft));
     }
+    return groups;
+}
+
+/// All of them.
+inline std::vector<Tuft> vroid_tufts(const std::string& character) {
+    std::vector<Tuft> tufts;
+    for (auto& [group, strokes] : vroid_groups(character)) tufts.insert(tufts.end(), strokes.begin(), strokes.end());
     return tufts;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
+#include "tuftwave/fill.hpp"
+#include "tuftwave/fill_settings.hpp"
 #include "tuftwave/for_each.hpp"
 #include "tuftwave/head.hpp"
 #include "tuftwave/limits.hpp"
@@ -13,10 +16,18 @@
 
 namespace tuftwave {
 
-/// A whole head of hair: what a person drew and how it moves.
+/// A fill between two tufts of a hairstyle.
+struct HairFill {
+    std::size_t from = 0;           ///< index of a drawn tuft
+    std::optional<std::size_t> to;  ///< of another; empty, or the same, is a ring around the head
+    FillSettings settings;
+};
+
+/// A whole head of hair: what a person drew, what is to be filled, and how it moves.
 struct Hairstyle {
     Head head;
     std::vector<Tuft> tufts;
+    std::vector<HairFill> fills;  ///< indices below tufts.size()
     std::optional<Motion> motion;
     MeshDetail mesh;
     Formulas formulas = Formulas::kCorrected;
@@ -28,18 +39,19 @@ struct HairMotion {
     std::vector<ChainMotion> chains;  ///< one per tuft
 };
 
-/// A hairstyle measured, cut into rings and moved: everything but the vertices.
+/// A hairstyle filled, measured, cut into rings and moved: everything but the vertices.
 struct HairPlan {
-    std::vector<MeshPlan> tufts;
-    std::vector<Chain> chains;  ///< one per tuft
+    std::vector<MeshPlan> tufts;  ///< the drawn ones, then those of each fill
+    std::vector<Chain> chains;    ///< one per tuft
+    std::vector<FillReport> fills;
     std::optional<HairMotion> motion;
     std::size_t vertices = 0, indices = 0, joints = 0;
 };
 
 /// Plans a hairstyle: every limit is checked before a vertex is made.
-/// @errors  those of check_head, check_tuft, check_detail, make_schedule, move_chains; too_few (tufts), too_many
-/// (tufts, points, joints,
-///          vertices, triangles), cancelled. Where several tufts are wrong the first one is named.
+/// @errors  those of check_head, check_tuft, check_detail, plan_fill, make_schedule, move_chains; too_few (tufts),
+///          too_many (tufts, fills, points, joints, vertices, triangles), cancelled. Where several tufts are wrong the
+///          first one is named.
 /// Deterministic for any `for_each`.
 Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
                                 std::stop_token stop);

@@ -22,6 +22,9 @@ struct Limits {
     std::size_t tufts = 16'384;
     std::size_t points_per_tuft = 1'024;
     std::size_t points = 131'072;  ///< in all tufts
+    std::size_t fills = 1'024;
+    std::size_t scalp_vertices = 200'000;
+    std::size_t scalp_triangles = 200'000;
     std::size_t chains = 16'384;
     std::size_t nodes_per_chain = 65;
     std::size_t joints = 65'536;         ///< in all chains; joint indices are 16 bits
@@ -37,12 +40,18 @@ struct Limits {
     Range coordinate{-1e6, 1e6};       ///< metres
     Range root_depth{0, 10};           ///< metres
     Range diameter_at_100{1e-6, 1e3};  ///< metres
+    Range scalp_radius{1e-6, 1e6};     ///< metres
+    Range scalp_vertex{0, 199'999};    ///< that a triangle may name
     Range diameter{1, 100};
     Range widest_at{1, 100};  ///< percent of the arc length
     Range flatness{0, 0.98};
     Range twist_deg{-3'600, 3'600};
     Range roll_deg{-360, 360};
     Range joints_per_tuft{1, 64};
+    Range origin{1, 16'386};           ///< numbers that say where a filled tuft comes from
+    Range density{1, 100};             ///< of a fill, unless it is off
+    Range tufts_per_meter{1e-3, 1e6};  ///< of a fill's gap, at density 100
+    Range min_gap{0, 10};              ///< diameters
     Range sides{3, kMostSides};
     Range rings{2, 4'096};
     Range tolerance{1e-5, 1};  ///< metres

@@ -20,6 +20,18 @@ namespace tuftwave {
 /// The outline of a cut across a tuft.
 enum class Section { kCircle, kEllipse };
 
+/// Where in a fill a tuft stands: in the row between the two tufts, or copied up to the crown or down to the neck.
+enum class FillKind { kAlong, kCrown, kNeck };
+
+/// Which tuft of a fill this is. Travels along with the tuft and changes nothing.
+struct Origin {
+    FillKind kind = FillKind::kAlong;
+    int index = 1;              ///< along: l, from the tuft after the first; copies: y, away from the parent
+    std::optional<int> parent;  ///< of copies: o; 1 is the first tuft, 2 the first one along, the second tuft is last
+
+    friend bool operator==(const Origin&, const Origin&) = default;
+};
+
 /// A stroke and its shape.
 struct Tuft {
     std::string name;
@@ -28,12 +40,13 @@ struct Tuft {
     double widest_at = 40;     ///< p, 1 to 100, percent of the arc length
     Taper taper = Taper::kSine;
     Section section = Section::kCircle;
-    double flatness = 0;        ///< of an ellipse: 1 - thickness / diameter; the flat side faces the head
-    double twist_deg = 0;       ///< turn of the section from root to tip, degrees
-    double roll_deg = 0;        ///< turn of the section all along, degrees; 90 stands an ellipse on its edge
-    int joints = 6;             ///< bones of the tuft's chain
-    double phase = 0;           ///< radians, for motion
-    std::optional<int> cycles;  ///< waves per loop, for motion
+    double flatness = 0;           ///< of an ellipse: 1 - thickness / diameter; the flat side faces the head
+    double twist_deg = 0;          ///< turn of the section from root to tip, degrees
+    double roll_deg = 0;           ///< turn of the section all along, degrees; 90 stands an ellipse on its edge
+    int joints = 6;                ///< bones of the tuft's chain
+    double phase = 0;              ///< radians, for motion
+    std::optional<int> cycles;     ///< waves per loop, for motion
+    std::optional<Origin> origin;  ///< of a filled tuft
 };
 
 /// How finely a tuft is meshed.
