@@ -18,6 +18,9 @@ constexpr double kMargin = 1e-3;
 /// Depth up to which a stroke counts as outside, likewise: 0.01 mm.
 constexpr double kTolerance = 1e-4;
 
+/// A stroke shorter than this share of the distance from the center is none: a hundredth of a millimetre on a head.
+constexpr double kShortestStroke = 1e-4;
+
 /// Most strokes that can be mended take one to four.
 constexpr int kMostBends = 12;
 
@@ -32,6 +35,13 @@ std::vector<Vec3> with_sunk_root(std::span<const Vec3> stroke, double root_depth
 }
 
 Vec3 place_on(const Curve& curve, int share) { return curve.at(curve.arc_length() * share / kClearanceShares).point; }
+
+/// Whether hardly anything of a stroke is left, which then has no curve.
+bool is_shrunk(std::span<const Vec3> stroke) {
+    double drawn = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) drawn += length(stroke[i] - stroke[i - 1]);
+    return drawn < kShortestStroke * length(stroke[0]);
+}
 
 struct Deepest {
     int share = -1;
@@ -102,6 +112,7 @@ Clearance common_clearance(const Clearance& a, const Clearance& b) {
 
 Bend bend_outwards(std::vector<Vec3>& stroke, const Clearance& wanted, const Scalp& scalp, double root_depth) {
     for (int bend = 0; bend <= kMostBends; ++bend) {
+        if (is_shrunk(stroke)) return Bend::kStuck;
         const std::vector<Vec3> sunk = with_sunk_root(stroke, root_depth);
         const Deepest deepest = deepest_place(Curve(sunk), length(stroke[0] - sunk[0]), wanted, scalp);
         if (deepest.share < 0) return bend == 0 ? Bend::kNone : Bend::kBent;

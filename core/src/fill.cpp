@@ -10,6 +10,7 @@
 
 #include "crowding.hpp"
 #include "tuftwave/clearance.hpp"
+#include "tuftwave/vector_checks.hpp"
 
 namespace tuftwave {
 namespace {
@@ -61,6 +62,18 @@ Check check_size(const FillPlan& plan, const Limits& limits) {
     if (Check wrong = check_total(plan.rows.count, limits.tufts, "tufts from one fill", "/density")) return wrong;
     return check_total(plan.rows.count * plan.points_per_tuft(), limits.points, "points in all tufts of a fill",
                        "/density");
+}
+
+/// A stroke that was drawn within the range of coordinates may be turned out of it.
+Check check_reach(const Tuft& tuft, const Limits& limits) {
+    for (const Vec3& point : tuft.points) {
+        if (Check wrong = check_position(point, limits, "")) {
+            wrong->field = "/from/points";
+            wrong->allowed += " metres, also where the stroke is turned about the head";
+            return wrong;
+        }
+    }
+    return {};
 }
 
 /// A tuft's shape at the share `part` of the way from one tuft to another; what is no number comes from the nearer one.
@@ -166,7 +179,7 @@ class Filler {
         const Vec3 root = stroke.points.front();
         const Vec3 direction = normalized(root);
         const std::optional<double> distance = scalp_->distance_towards(direction);
-        if (!distance) {
+        if (!distance || *distance < kShortestDirection) {
             stroke.fate = Fate::kOffScalp;
             return;
         }
@@ -279,8 +292,8 @@ Result<FillPlan> plan_fill(const Tuft& from, const Tuft* to, const FillSettings&
     return plan;
 }
 
-Result<Filled> make_fill(const FillPlan& plan, const Head& head, const Scalp* scalp, const ForEach& for_each,
-                         std::stop_token stop) {
+Result<Filled> make_fill(const FillPlan& plan, const Head& head, const Scalp* scalp, const Limits& limits,
+                         const ForEach& for_each, std::stop_token stop) {
     const Filler filler(plan, head, scalp);
     const std::vector<Placement>& placements = plan.rows.placements;
     std::vector<Filler::Stroke> strokes(placements.size());
@@ -297,6 +310,7 @@ Result<Filled> make_fill(const FillPlan& plan, const Head& head, const Scalp* sc
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (!chooser.is_chosen(placements[i], strokes[i])) continue;
         filled.tufts.push_back(filler.tuft_of(placements[i], strokes[i].points));
+        if (Check wrong = check_reach(filled.tufts.back(), limits)) return *wrong;
         filled.tufts.back().name = plan.settings.name + "_" + std::to_string(filled.tufts.size());
     }
     return filled;

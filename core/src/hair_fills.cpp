@@ -57,8 +57,8 @@ Result<std::vector<Filled>> fill_hairstyle(const Hairstyle& hairstyle, const Lim
 
     std::vector<Filled> fills;
     for (const FillPlan& plan : *plans) {
-        Result<Filled> filled = make_fill(plan, hairstyle.head, *scalp ? &**scalp : nullptr, for_each, stop);
-        if (!filled) return filled.error();
+        Result<Filled> filled = make_fill(plan, hairstyle.head, *scalp ? &**scalp : nullptr, limits, for_each, stop);
+        if (!filled) return at_drawn_tuft(filled.error(), hairstyle.fills[fills.size()], "");
         fills.push_back(std::move(filled).value());
     }
     return fills;

@@ -15,6 +15,14 @@ inline constexpr Choices<Formulas, 2> kFormulas{
 inline constexpr Choices<Taper, 4> kTapers{
     {{"sine", Taper::kSine}, {"linear", Taper::kLinear}, {"smooth", Taper::kSmooth}, {"round", Taper::kRound}}};
 inline constexpr Choices<Section, 2> kSections{{{"circle", Section::kCircle}, {"ellipse", Section::kEllipse}}};
+inline constexpr Choices<FillKind, 3> kFillKinds{
+    {{"along", FillKind::kAlong}, {"crown", FillKind::kCrown}, {"neck", FillKind::kNeck}}};
+inline constexpr Choices<FillDirection, 3> kFillDirections{{{"counter_clockwise", FillDirection::kCounterClockwise},
+                                                            {"clockwise", FillDirection::kClockwise},
+                                                            {"shorter", FillDirection::kShorter}}};
+inline constexpr Choices<Spacing, 3> kSpacings{
+    {{"diameter", Spacing::kDiameter}, {"half_gap", Spacing::kHalfGap}, {"as_printed", Spacing::kAsPrinted}}};
+inline constexpr Choices<Arc, 2> kArcs{{{"spherical", Arc::kSpherical}, {"path", Arc::kPath}}};
 inline constexpr Choices<ShortHolds, 2> kShortHolds{{{"last", ShortHolds::kLast}, {"spread", ShortHolds::kSpread}}};
 inline constexpr Choices<Sampling, 2> kSamplings{{{"uniform", Sampling::kUniform}, {"by_frame", Sampling::kByFrame}}};
 inline constexpr Choices<Mode, 2> kModes{{{"relative", Mode::kRelative}, {"absolute", Mode::kAbsolute}}};

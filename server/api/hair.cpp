@@ -3,28 +3,55 @@
 #include <nlohmann/json.hpp>
 
 #include "api/body.hpp"
+#include "api/choices.hpp"
 #include "api/formats.hpp"
+#include "api/hair_bytes.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
-#include "gltf/hair_file.hpp"
 #include "sheets/csv.hpp"
 #include "sheets/xdts.hpp"
 #include "tuftwave/hairstyle.hpp"
-#include "version.hpp"
 
 namespace tuftwave::server {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A request's hairstyle and how it wants to look.
-struct HairRequest {
-    Hairstyle hairstyle;
-    gltf::Look look;
-};
-
 /// Whether a request may move the hair.
 enum class Stillness { kStill, kMoving };
+
+/// Finds the tuft that a fill names. @return  its index, where exactly one tuft is called that
+std::optional<std::size_t> find_tuft(const std::vector<Tuft>& tufts, const std::string& name,
+                                     const std::string& pointer, FieldProblems& problems) {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < tufts.size(); ++i) {
+        if (tufts[i].name != name) continue;
+        if (found) {
+            problems.add({ProblemCode::kConflict, pointer, name, "a name that only one tuft has", {}, {}});
+            return {};
+        }
+        found = i;
+    }
+    if (!found) problems.add({ProblemCode::kNotAChoice, pointer, name, "the name of a tuft", {}, {}});
+    return found;
+}
+
+void read_fill(const nlohmann::json& value, const Place& place, FieldProblems& problems, Hairstyle& hairstyle) {
+    HairFill& fill = hairstyle.fills.emplace_back();
+    fill.settings.name = "fill" + std::to_string(hairstyle.fills.size());
+    Fields fields(value, place, problems);
+    fields.require("from");
+    std::optional<std::string> from, to;
+    if (value.is_object() && value.contains("from")) fields.text("from", kLongestName, from.emplace());
+    fields.text("to", kLongestName, to);
+    read_fill_settings(fields, problems, fill.settings);
+    std::optional<Formulas> formulas;
+    fields.choice("formulas", kFormulas, formulas);
+    fill.settings.formulas = formulas.value_or(hairstyle.formulas);
+    fields.done();
+    if (from) fill.from = find_tuft(hairstyle.tufts, *from, place.pointer() + "/from", problems).value_or(0);
+    if (to) fill.to = find_tuft(hairstyle.tufts, *to, place.pointer() + "/to", problems);
+}
 
 std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillness stillness, const Limits& limits) {
     HairRequest read;
@@ -34,7 +61,7 @@ std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillne
     Hairstyle& hairstyle = read.hairstyle;
     fields.require("tufts");
     fields.member("head", [&](const nlohmann::json& head, const Place& place) {
-        read_head(head, place, problems, hairstyle.head);
+        read_head(head, place, problems, limits, hairstyle.head);
     });
     fields.items("tufts", limits.tufts, [&](const nlohmann::json& tuft, const Place& place) {
         read_tuft(tuft, place, problems, limits, hairstyle.tufts.emplace_back());
@@ -48,26 +75,13 @@ std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillne
             read_motion(motion, place, problems, limits, *hairstyle.motion);
         });
         read_formulas(fields, hairstyle.formulas);
+        fields.items("fills", limits.fills, [&](const nlohmann::json& fill, const Place& place) {
+            read_fill(fill, place, problems, hairstyle);
+        });
     }
     fields.done();
     if (!problems.empty()) return fields_problem(problems.take());
     return read;
-}
-
-/// What rides along in the file: the recipe, so that it can be posted back and edited, and the sheet as integers.
-nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
-    Json extras{{"version", kVersion}, {"hairstyle", hairstyle_json(hair.hairstyle, hair.look)}};
-    if (plan.motion) {
-        extras["schedule"] = schedule_json(plan.motion->schedule);
-        extras["warnings"] = warnings_json(&plan.motion->schedule);
-    }
-    return {{"tuftwave", std::move(extras)}};
-}
-
-std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context) {
-    const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
-    const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
-    return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), clip, container, context.for_each, context.stop);
 }
 
 Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_token& stop) {
@@ -90,7 +104,9 @@ Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_
         report["pictures"] = pictures_json(plan.chains, *plan.motion, stop);
         report["quality"] = quality_json(plan.chains, hair.hairstyle.motion->wave, *plan.motion, stop);
     }
-    report["warnings"] = warnings_json(schedule);
+    report["fills"] = Json::array();
+    for (const FillReport& fill : plan.fills) report["fills"].push_back(fill_report_json(fill));
+    report["warnings"] = warnings_json(schedule, plan.fills);
     return report;
 }
 

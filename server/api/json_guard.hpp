@@ -13,7 +13,7 @@ namespace tuftwave::server {
 struct JsonLimits {
     std::size_t bytes = 16 * 1024 * 1024;  ///< 131,072 points of 64 bytes and 16,384 tufts of 256 bytes make 12 MiB
     std::size_t depth = 32;
-    std::size_t values = 1'000'000;  ///< 131,072 points are 524,288 values, 16,384 tufts 262,144
+    std::size_t values = 2'000'000;  ///< 131,072 points are 524,288 values, 16,384 tufts 262,144, a scalp 1,200,000
     std::size_t keys_per_object = 64;
 };
 

@@ -32,7 +32,7 @@ std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, co
     Fields fields(body, root, problems);
     fields.require("chains");
     fields.member("head", [&](const nlohmann::json& head, const Place& place) {
-        read_head(head, place, problems, read.head.emplace());
+        read_head(head, place, problems, limits, read.head.emplace());
     });
     if (read.head) read.motion.up = read.head->up;
     fields.items("chains", limits.chains, [&](const nlohmann::json& chain, const Place& place) {

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestName = 64;  // characters
+constexpr std::size_t kLongestFillName = 48;  // characters; leaves room for an underscore and a number
 
 void read_wave(const json& value, const Place& place, FieldProblems& problems, Wave& into) {
     Fields fields(value, place, problems);
@@ -30,15 +30,80 @@ void read_phasing(const json& value, const Place& place, FieldProblems& problems
     fields.done();
 }
 
+ScalpEllipsoid read_scalp_ellipsoid(const json& value, const Place& place, FieldProblems& problems) {
+    ScalpEllipsoid ellipsoid;
+    Fields fields(value, place, problems);
+    fields.require("radii");
+    fields.vector("center", ellipsoid.center);
+    fields.vector("radii", ellipsoid.radii);
+    fields.done();
+    return ellipsoid;
+}
+
+ScalpMesh read_scalp_mesh(const json& value, const Place& place, FieldProblems& problems, const Limits& limits) {
+    ScalpMesh mesh;
+    Fields fields(value, place, problems);
+    fields.require("positions");
+    fields.require("triangles");
+    fields.flat_vectors("positions", limits.scalp_vertices, mesh.positions);
+    fields.flat_triples("triangles", limits.scalp_triangles, limits.scalp_vertex, mesh.triangles);
+    fields.done();
+    return mesh;
+}
+
+void read_scalp(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+                ScalpShape& into) {
+    Fields fields(value, place, problems);
+    int shapes = 0;
+    fields.optional_member("ellipsoid", [&](const json& ellipsoid, const Place& at) {
+        into = read_scalp_ellipsoid(ellipsoid, at, problems);
+        ++shapes;
+    });
+    fields.optional_member("mesh", [&](const json& mesh, const Place& at) {
+        into = read_scalp_mesh(mesh, at, problems, limits);
+        ++shapes;
+    });
+    fields.done();
+    if (value.is_object() && shapes != 1)
+        problems.add({shapes == 0 ? ProblemCode::kMissingField : ProblemCode::kConflict,
+                      place.pointer(),
+                      {},
+                      "either ellipsoid or mesh",
+                      {},
+                      {}});
+}
+
+Origin read_origin(const json& value, const Place& place, FieldProblems& problems, const Limits& limits) {
+    Origin origin;
+    Fields fields(value, place, problems);
+    fields.require("kind");
+    fields.require("index");
+    fields.choice("kind", kFillKinds, origin.kind);
+    fields.integer("index", limits.origin, origin.index);
+    fields.integer("parent", limits.origin, origin.parent);
+    fields.done();
+    return origin;
+}
+
+void read_densities(const json& value, const Place& place, FieldProblems& problems, Densities& into) {
+    Fields fields(value, place, problems);
+    fields.number("along", into.along);
+    fields.number("crown", into.crown);
+    fields.number("neck", into.neck);
+    fields.done();
+}
+
 }  // namespace
 
-void read_head(const json& value, const Place& place, FieldProblems& problems, Head& into) {
+void read_head(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Head& into) {
     Fields fields(value, place, problems);
     fields.vector("center", into.center);
     fields.vector("up", into.up);
     fields.vector("front", into.front);
     fields.number("root_depth", into.root_depth);
     fields.number("diameter_at_100", into.diameter_at_100);
+    fields.optional_member(
+        "scalp", [&](const json& scalp, const Place& at) { read_scalp(scalp, at, problems, limits, into.scalp); });
     fields.done();
 }
 
@@ -57,6 +122,9 @@ void read_tuft(const json& value, const Place& place, FieldProblems& problems, c
     fields.integer("joints", limits.joints_per_tuft, into.joints);
     fields.number("phase", into.phase);
     fields.integer("cycles", limits.cycles, into.cycles);
+    fields.optional_member("origin", [&](const json& origin, const Place& at) {
+        into.origin = read_origin(origin, at, problems, limits);
+    });
     fields.done();
 }
 
@@ -117,5 +185,24 @@ void read_mesh(const json& value, const Place& place, FieldProblems& problems, c
 }
 
 void read_formulas(Fields& fields, Formulas& into) { fields.choice("formulas", kFormulas, into); }
+
+void read_fill_settings(Fields& fields, FieldProblems& problems, FillSettings& into) {
+    std::optional<std::string> name;
+    fields.text("name", kLongestFillName, name);
+    into.name = name.value_or(into.name);
+    fields.number("tufts_per_meter", into.tufts_per_meter);
+    fields.member("density",
+                  [&](const json& value, const Place& at) { read_densities(value, at, problems, into.density); });
+    fields.optional_member("jitter", [&](const json& value, const Place& at) {
+        Fields jitter(value, at, problems);
+        jitter.seed("seed", into.jitter_seed.emplace());
+        jitter.done();
+    });
+    fields.choice("spacing", kSpacings, into.spacing);
+    fields.choice("arc", kArcs, into.arc);
+    fields.choice("direction", kFillDirections, into.direction);
+    fields.boolean("resample", into.resample);
+    fields.number("min_gap", into.min_gap);
+}
 
 }  // namespace tuftwave::server

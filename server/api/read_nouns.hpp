@@ -10,7 +10,10 @@ namespace tuftwave::server {
 
 // From JSON to core's structs, one function per noun. They check types and names; core checks the ranges.
 
-void read_head(const nlohmann::json& json, const Place& place, FieldProblems& problems, Head& into);
+inline constexpr std::size_t kLongestName = 64;  // characters
+
+void read_head(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+               Head& into);
 void read_tuft(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
                Tuft& into);
 void read_chain(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
@@ -22,5 +25,8 @@ void read_motion(const nlohmann::json& json, const Place& place, FieldProblems& 
 void read_mesh(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
                MeshDetail& detail, gltf::Look& look);
 void read_formulas(Fields& fields, Formulas& into);
+
+/// The settings among the fields of a fill; what it lies between is left to the caller. @param into  with its defaults
+void read_fill_settings(Fields& fields, FieldProblems& problems, FillSettings& into);
 
 }  // namespace tuftwave::server

@@ -117,13 +117,17 @@ void Fields::number(std::string_view name, std::optional<double>& into) {
 std::optional<double> Fields::whole_number(std::string_view name, Range range) {
     const json* value = find(name);
     if (value == nullptr) return {};
-    const std::optional<double> number = as_number(*value);
+    return whole_number(*value, Place(place_, name), range);
+}
+
+std::optional<double> Fields::whole_number(const json& value, const Place& place, Range range) {
+    const std::optional<double> number = as_number(value);
     if (!number || *number != std::trunc(*number)) {
-        refuse_type(name, *value, "a whole number");
+        problems_.add({ProblemCode::kWrongType, place.pointer(), echo(value), "a whole number", {}, {}});
         return {};
     }
     if (const Check wrong = check_range(*number, range, "")) {
-        problems_.add(to_field_problem(*wrong, Place(place_, name).pointer()));
+        problems_.add(to_field_problem(*wrong, place.pointer()));
         return {};
     }
     return number;
@@ -148,6 +152,18 @@ void Fields::boolean(std::string_view name, bool& into) {
     const auto* flag = value->get_ptr<const json::boolean_t*>();
     if (flag == nullptr) return refuse_type(name, *value, "true or false");
     into = *flag;
+}
+
+void Fields::boolean(std::string_view name, std::optional<bool>& into) {
+    if (is_null(name)) return into.reset();
+    bool flag = into.value_or(false);
+    boolean(name, flag);
+    if (find(name) != nullptr) into = flag;
+}
+
+void Fields::text(std::string_view name, std::size_t longest, std::optional<std::string>& into) {
+    if (is_null(name)) return into.reset();
+    if (find(name) != nullptr) text(name, longest, into.emplace());
 }
 
 void Fields::text(std::string_view name, std::size_t longest, std::string& into) {
@@ -238,6 +254,43 @@ void Fields::rotations(std::string_view name, std::size_t most, std::vector<Quat
         std::array<double, 4> parts{};
         if (numbers(item, place, "four numbers", parts)) into.push_back({parts[0], parts[1], parts[2], parts[3]});
     });
+}
+
+/// Calls read(item, place) for the items of a flat list of triples.
+template <class Read>
+void Fields::triples(std::string_view name, std::size_t most, Read read) {
+    const json* value = find(name);
+    if (value == nullptr) return;
+    if (value->is_array() && value->size() % 3 != 0)
+        return problems_.add({ProblemCode::kWrongType,
+                              Place(place_, name).pointer(),
+                              static_cast<double>(value->size()),
+                              "a list whose length is a multiple of 3",
+                              {},
+                              {}});
+    items(name, 3 * most, read);
+}
+
+void Fields::flat_vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into) {
+    std::vector<double> numbers;
+    triples(name, most, [&](const json& item, const Place& place) {
+        const std::optional<double> number = as_number(item);
+        if (!number) return problems_.add({ProblemCode::kWrongType, place.pointer(), echo(item), "a number", {}, {}});
+        numbers.push_back(*number);
+    });
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        into.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+}
+
+void Fields::flat_triples(std::string_view name, std::size_t most, Range range,
+                          std::vector<std::array<std::uint32_t, 3>>& into) {
+    std::vector<std::uint32_t> numbers;
+    triples(name, most, [&](const json& item, const Place& place) {
+        if (const auto number = whole_number(item, place, range))
+            numbers.push_back(static_cast<std::uint32_t>(*number));
+    });
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        into.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
 }
 
 void Fields::require(std::string_view name) {

@@ -65,7 +65,9 @@ class Fields {
     void integer(std::string_view name, Range range, std::optional<int>& into);
     void seed(std::string_view name, std::uint64_t& into);
     void boolean(std::string_view name, bool& into);
+    void boolean(std::string_view name, std::optional<bool>& into);
     void text(std::string_view name, std::size_t longest, std::string& into);
+    void text(std::string_view name, std::size_t longest, std::optional<std::string>& into);
     void color(std::string_view name, std::string& into);
     void frame_rate(std::string_view name, FrameRate& into);
     void vector(std::string_view name, Vec3& into);
@@ -73,6 +75,9 @@ class Fields {
     void rotation(std::string_view name, Quat& into);
     void vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into);
     void rotations(std::string_view name, std::size_t most, std::vector<Quat>& into);
+    void flat_vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into);  // x, y, z, x, y, z, ...
+    void flat_triples(std::string_view name, std::size_t most, Range range,
+                      std::vector<std::array<std::uint32_t, 3>>& into);
 
     template <class Enum, std::size_t count>
     void choice(std::string_view name, const Choices<Enum, count>& choices, Enum& into) {
@@ -130,6 +135,9 @@ class Fields {
     const nlohmann::json* find(std::string_view name);
     bool is_null(std::string_view name);
     std::optional<double> whole_number(std::string_view name, Range range);
+    std::optional<double> whole_number(const nlohmann::json& value, const Place& place, Range range);
+    template <class Read>
+    void triples(std::string_view name, std::size_t most, Read read);
     void refuse_type(std::string_view name, const nlohmann::json& value, const std::string& wanted);
     void refuse_choice(std::string_view name, const nlohmann::json& value, const std::string& words);
     template <std::size_t width>

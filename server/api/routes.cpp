@@ -3,6 +3,7 @@
 #include <array>
 
 #include "api/about.hpp"
+#include "api/fills.hpp"
 #include "api/hair.hpp"
 #include "api/motions.hpp"
 #include "api/schedules.hpp"
@@ -10,8 +11,9 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<Route, 11> kRoutes{{
+constexpr std::array<Route, 12> kRoutes{{
     {"POST", "/v1/tufts", post_tufts, true},
+    {"POST", "/v1/fills", post_fills, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
     {"POST", "/v1/motions", post_motions, true},
     {"GET", "/v1/schedules", get_schedules, false},

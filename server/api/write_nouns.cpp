@@ -38,12 +38,57 @@ Json fps_json(const FrameRate& fps) {
     return frame_rate_text(fps);
 }
 
+Json to_json(const ScalpEllipsoid& ellipsoid) {
+    Json json{{"radii", to_json(ellipsoid.radii)}};
+    if (ellipsoid.center) json["center"] = to_json(*ellipsoid.center);
+    return {{"ellipsoid", std::move(json)}};
+}
+
+Json to_json(const ScalpMesh& mesh) {
+    Json positions = Json::array(), triangles = Json::array();
+    for (const Vec3& position : mesh.positions) {
+        for (const double coordinate : {position.x, position.y, position.z}) positions.push_back(coordinate);
+    }
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) triangles.push_back(vertex);
+    }
+    return {{"mesh", {{"positions", std::move(positions)}, {"triangles", std::move(triangles)}}}};
+}
+
 Json to_json(const Head& head) {
-    return {{"center", to_json(head.center)},
-            {"up", to_json(head.up)},
-            {"front", to_json(head.front)},
-            {"root_depth", head.root_depth},
-            {"diameter_at_100", head.diameter_at_100}};
+    Json json{{"center", to_json(head.center)},
+              {"up", to_json(head.up)},
+              {"front", to_json(head.front)},
+              {"root_depth", head.root_depth},
+              {"diameter_at_100", head.diameter_at_100}};
+    if (const auto* ellipsoid = std::get_if<ScalpEllipsoid>(&head.scalp)) json["scalp"] = to_json(*ellipsoid);
+    if (const auto* mesh = std::get_if<ScalpMesh>(&head.scalp)) json["scalp"] = to_json(*mesh);
+    return json;
+}
+
+Json to_json(const Origin& origin) {
+    Json json{{"kind", word_of(kFillKinds, origin.kind)}, {"index", origin.index}};
+    if (origin.parent) json["parent"] = *origin.parent;
+    return json;
+}
+
+Json to_json(const HairFill& fill, const std::vector<Tuft>& tufts, Formulas formulas) {
+    const FillSettings& settings = fill.settings;
+    Json json{{"from", tufts[fill.from].name}};
+    if (fill.to) json["to"] = tufts[*fill.to].name;
+    json["name"] = settings.name;
+    if (settings.tufts_per_meter) json["tufts_per_meter"] = *settings.tufts_per_meter;
+    json["density"] = {{"along", settings.density.along.value_or(0)},
+                       {"crown", settings.density.crown.value_or(0)},
+                       {"neck", settings.density.neck.value_or(0)}};
+    if (settings.jitter_seed) json["jitter"] = {{"seed", *settings.jitter_seed}};
+    if (settings.formulas != formulas) json["formulas"] = word_of(kFormulas, settings.formulas);
+    if (settings.spacing) json["spacing"] = word_of(kSpacings, *settings.spacing);
+    json["arc"] = word_of(kArcs, settings.arc);
+    json["direction"] = word_of(kFillDirections, settings.direction);
+    if (settings.resample) json["resample"] = *settings.resample;
+    json["min_gap"] = settings.min_gap;
+    return json;
 }
 
 Json to_json(const Tuft& tuft) {
@@ -59,6 +104,7 @@ Json to_json(const Tuft& tuft) {
     json["joints"] = tuft.joints;
     json["phase"] = tuft.phase;
     if (tuft.cycles) json["cycles"] = *tuft.cycles;
+    if (tuft.origin) json["origin"] = to_json(*tuft.origin);
     return json;
 }
 
@@ -107,6 +153,9 @@ std::string frame_rate_text(const FrameRate& fps) {
 Json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look) {
     Json json{{"head", to_json(hairstyle.head)}, {"tufts", Json::array()}};
     for (const Tuft& tuft : hairstyle.tufts) json["tufts"].push_back(to_json(tuft));
+    if (!hairstyle.fills.empty()) json["fills"] = Json::array();
+    for (const HairFill& fill : hairstyle.fills)
+        json["fills"].push_back(to_json(fill, hairstyle.tufts, hairstyle.formulas));
     if (hairstyle.motion) json["motion"] = to_json(*hairstyle.motion);
     json["mesh"] = {{"tolerance", hairstyle.mesh.tolerance},
                     {"sides", hairstyle.mesh.sides},
@@ -115,6 +164,29 @@ Json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look) {
     if (hairstyle.mesh.rings) json["mesh"]["rings"] = *hairstyle.mesh.rings;
     if (hairstyle.formulas != Formulas::kCorrected) json["formulas"] = word_of(kFormulas, hairstyle.formulas);
     return json;
+}
+
+Json tuft_json(const Tuft& tuft) { return to_json(tuft); }
+
+Json fill_report_json(const FillReport& report) {
+    const Gap& gap = report.gap;
+    Json resampled = Json::array();
+    if (report.is_resampled[0]) resampled.push_back("from");
+    if (report.is_resampled[1]) resampled.push_back("to");
+    return {{"sweep", gap.sweep},
+            {"rise", gap.rise},
+            {"gamma", gap.gamma},
+            {"distance", gap.distance},
+            {"tufts_per_meter", gap.tufts_per_meter},
+            {"along", gap.along},
+            {"tufts", {{"along", report.along}, {"crown", report.crown}, {"neck", report.neck}}},
+            {"removed",
+             {{"hairline", report.beyond_hairline},
+              {"crowded", report.crowded},
+              {"off_scalp", report.off_scalp},
+              {"inside", report.inside}}},
+            {"moved_out", report.moved_out},
+            {"resampled", std::move(resampled)}};
 }
 
 Json schedule_json(const Schedule& schedule) {
@@ -157,12 +229,20 @@ Json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMot
             {"tip_crossings", tip_crossings(wave, kFineBones)}};
 }
 
-Json warnings_json(const Schedule* schedule) {
+Json warnings_json(const Schedule* schedule, std::span<const FillReport> fills) {
     Json warnings = Json::array();
     if (schedule != nullptr && !is_usual_picture_count(schedule->pictures)) {
         warnings.push_back({{"code", "unusual_picture_count"},
                             {"detail", "Animators use 3 to 8 pictures per cycle; these settings give " +
                                            std::to_string(schedule->pictures) + "."}});
+    }
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+        const FillReport& fill = fills[i];
+        if (fill.along + fill.crown + fill.neck > 0) continue;
+        warnings.push_back({{"code", "empty_fill"},
+                            {"detail", "Fill " + std::to_string(i + 1) + " adds no tuft: its gap is " +
+                                           to_text(short_number(fill.gap.distance)) +
+                                           " m wide; more density or tufts_per_meter would."}});
     }
     return warnings;
 }

@@ -15,6 +15,8 @@ namespace tuftwave::server {
 // default should change; what is unset stays out.
 
 nlohmann::ordered_json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look);
+nlohmann::ordered_json tuft_json(const Tuft& tuft);
+nlohmann::ordered_json fill_report_json(const FillReport& report);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
 
 /// Every chain's rotations and positions, picture by picture; incomplete once `stop` is set.
@@ -26,7 +28,7 @@ nlohmann::ordered_json quality_json(std::span<const Chain> chains, const Wave& w
                                     const std::stop_token& stop);
 
 /// What a caller should be told although there is an answer.
-nlohmann::ordered_json warnings_json(const Schedule* schedule);
+nlohmann::ordered_json warnings_json(const Schedule* schedule, std::span<const FillReport> fills = {});
 
 /// "24" or "24000/1001".
 std::string frame_rate_text(const FrameRate& fps);

@@ -6,52 +6,9 @@ Ranges are tried just outside; test_bad_inputs.py tries their ends, which must b
 from __future__ import annotations
 
 import json
-from typing import Any, NamedTuple, Optional
 
-import contract
-
-
-class Row(NamedTuple):
-    name: str
-    changes: dict[str, Any]
-    slug: str
-    pointer: str
-    query: str = ""
-
-
-class Removed:
-    """Takes a field away."""
-
-
-REMOVED = Removed()
-POINT = [0.0, 0.1, 0.05]
-OTHER_POINT = [0.0, 0.05, 0.1]
-LONGEST_STROKE = [[0.0, 0.1 + 0.001 * i, 0.05] for i in range(1024)]
-LONGEST_CHAIN = [[0.0, -0.01 * i, 0.0] for i in range(65)]
-SMALL_TUFT = {"points": [POINT, OTHER_POINT]}
-SMALL_CHAIN = {"nodes": [POINT, OTHER_POINT]}
-
-
-def below(limit: float) -> float:
-    return limit - max(1e-9, abs(limit) * 1e-9)
-
-
-def above(limit: float) -> float:
-    return limit + max(1e-9, abs(limit) * 1e-9)
-
-
-def outside(pointer: str, smallest: float, largest: float, at: Optional[str] = None) -> list[Row]:
-    """A number just below and just above its range."""
-    return [Row(f"{pointer} just below", {pointer: below(smallest)}, "out_of_range", at or pointer),
-            Row(f"{pointer} just above", {pointer: above(largest)}, "out_of_range", at or pointer)]
-
-
-def outside_whole(pointer: str, smallest: int, largest: int) -> list[Row]:
-    return [Row(f"{pointer} one below", {pointer: smallest - 1}, "out_of_range", pointer),
-            Row(f"{pointer} one above", {pointer: largest + 1}, "out_of_range", pointer),
-            Row(f"{pointer} between two whole numbers", {pointer: smallest + 0.5}, "wrong_type", pointer),
-            Row(f"{pointer} far beyond 64 bits", {pointer: 1e300}, "out_of_range", pointer)]
-
+from bad_fills import FILLS, HAIR_FILLS, origin, scalp
+from rows import LONGEST_CHAIN, LONGEST_STROKE, OTHER_POINT, POINT, REMOVED, SMALL_CHAIN, SMALL_TUFT, Row, outside, outside_whole, placed
 
 HEAD = [
     Row("head is null", {"/head": None}, "wrong_type", "/head"),
@@ -68,6 +25,46 @@ HEAD = [
     Row("front is parallel to up", {"/head/up": [0, 2, 0], "/head/front": [0, -3, 0]}, "degenerate", "/head/front"),
     *outside("/head/root_depth", 0, 10),
     *outside("/head/diameter_at_100", 1e-6, 1000),
+    *scalp("/head/scalp"),
+]
+
+TUFT = [
+    Row("points are missing", {"/points": REMOVED}, "missing_field", "/points"),
+    Row("points are null", {"/points": None}, "wrong_type", "/points"),
+    Row("no point", {"/points": []}, "too_few", "/points"),
+    Row("one point", {"/points": [POINT]}, "too_few", "/points"),
+    Row("a point too many", {"/points": LONGEST_STROKE + [[0, 2, 0]]}, "too_many", "/points"),
+    Row("a point is a number", {"/points/1": 0.1}, "wrong_type", "/points/1"),
+    Row("a point is null", {"/points/1": None}, "wrong_type", "/points/1"),
+    Row("a point has two numbers", {"/points/1": [0, 0]}, "wrong_type", "/points/1"),
+    Row("a coordinate is null", {"/points/1/2": None}, "wrong_type", "/points/1/2"),
+    Row("a coordinate is true", {"/points/1/2": True}, "wrong_type", "/points/1/2"),
+    *outside("/points/1/2", -1e6, 1e6),
+    Row("a coordinate as large as numbers get", {"/points/1/2": 1.7e308}, "out_of_range", "/points/1/2"),
+    Row("a stroke on the spot", {"/points": [POINT, POINT, POINT]}, "degenerate", "/points"),
+    Row("a stroke shorter than an atom", {"/points": [[0, 0.1, 0], [0, 0.1 + 1e-12, 0]]}, "degenerate", "/points"),
+    Row("a root at the head's center", {"/points/0": [0, 0, 0]}, "degenerate", "/points/0"),
+    Row("name is a number", {"/name": 7}, "wrong_type", "/name"),
+    Row("name is null", {"/name": None}, "wrong_type", "/name"),
+    Row("name is too long", {"/name": "x" * 65}, "too_many", "/name"),
+    *outside("/diameter", 1, 100),
+    Row("diameter is null", {"/diameter": None}, "wrong_type", "/diameter"),
+    *outside("/widest_at", 1, 100),
+    Row("widest_at is a text", {"/widest_at": "40"}, "wrong_type", "/widest_at"),
+    *outside("/flatness", 0, 0.98),
+    Row("a flat circle", {"/section": "circle", "/flatness": 0.5}, "conflict", "/flatness"),
+    Row("taper is no choice", {"/taper": "cubic"}, "not_a_choice", "/taper"),
+    Row("taper is null", {"/taper": None}, "not_a_choice", "/taper"),
+    Row("section is no choice", {"/section": "Circle"}, "not_a_choice", "/section"),
+    *outside("/twist_deg", -3600, 3600),
+    *outside("/roll_deg", -360, 360),
+    *outside_whole("/joints", 1, 64),
+    Row("joints are null", {"/joints": None}, "wrong_type", "/joints"),
+    *outside("/phase", -1000, 1000),
+    *outside_whole("/cycles", 1, 11),
+    Row("a tuft has a field too many", {"/length": 1}, "unknown_field", "/length"),
+    Row("a field's name needs escaping", {"/a~1b~0c": 1}, "unknown_field", "/a~1b~0c"),
+    *origin("/origin"),
 ]
 
 TUFTS = [
@@ -80,48 +77,14 @@ TUFTS = [
     Row("a tuft too many", {"/tufts": [{**SMALL_TUFT, "joints": 1}] * 16385}, "too_many", "/tufts"),
     Row("too many points in all tufts", {"/tufts": [{"points": LONGEST_STROKE}] * 129}, "too_many", "/tufts"),
     Row("too many joints in all tufts", {"/tufts": [{**SMALL_TUFT, "joints": 64}] * 1025}, "too_many", "/tufts"),
-    Row("points are missing", {"/tufts/0/points": REMOVED}, "missing_field", "/tufts/0/points"),
-    Row("points are null", {"/tufts/0/points": None}, "wrong_type", "/tufts/0/points"),
-    Row("no point", {"/tufts/0/points": []}, "too_few", "/tufts/0/points"),
-    Row("one point", {"/tufts/0/points": [POINT]}, "too_few", "/tufts/0/points"),
-    Row("a point too many", {"/tufts/0/points": LONGEST_STROKE + [[0, 2, 0]]}, "too_many", "/tufts/0/points"),
-    Row("a point is a number", {"/tufts/0/points/1": 0.1}, "wrong_type", "/tufts/0/points/1"),
-    Row("a point is null", {"/tufts/0/points/1": None}, "wrong_type", "/tufts/0/points/1"),
-    Row("a point has two numbers", {"/tufts/0/points/1": [0, 0]}, "wrong_type", "/tufts/0/points/1"),
-    Row("a coordinate is null", {"/tufts/0/points/1/2": None}, "wrong_type", "/tufts/0/points/1/2"),
-    Row("a coordinate is true", {"/tufts/0/points/1/2": True}, "wrong_type", "/tufts/0/points/1/2"),
-    *outside("/tufts/0/points/1/2", -1e6, 1e6),
-    Row("a coordinate as large as numbers get", {"/tufts/0/points/1/2": 1.7e308}, "out_of_range", "/tufts/0/points/1/2"),
-    Row("a stroke on the spot", {"/tufts/0/points": [POINT, POINT, POINT]}, "degenerate", "/tufts/0/points"),
-    Row("a stroke shorter than an atom", {"/tufts/0/points": [[0, 0.1, 0], [0, 0.1 + 1e-12, 0]]}, "degenerate", "/tufts/0/points"),
-    Row("a root at the head's center", {"/tufts/0/points/0": [0, 0, 0]}, "degenerate", "/tufts/0/points/0"),
-    Row("name is a number", {"/tufts/0/name": 7}, "wrong_type", "/tufts/0/name"),
-    Row("name is null", {"/tufts/0/name": None}, "wrong_type", "/tufts/0/name"),
-    Row("name is too long", {"/tufts/0/name": "x" * 65}, "too_many", "/tufts/0/name"),
-    *outside("/tufts/0/diameter", 1, 100),
-    Row("diameter is null", {"/tufts/0/diameter": None}, "wrong_type", "/tufts/0/diameter"),
-    *outside("/tufts/0/widest_at", 1, 100),
-    Row("widest_at is a text", {"/tufts/0/widest_at": "40"}, "wrong_type", "/tufts/0/widest_at"),
-    *outside("/tufts/0/flatness", 0, 0.98),
-    Row("a flat circle", {"/tufts/0/section": "circle", "/tufts/0/flatness": 0.5}, "conflict", "/tufts/0/flatness"),
-    Row("taper is no choice", {"/tufts/0/taper": "cubic"}, "not_a_choice", "/tufts/0/taper"),
-    Row("taper is null", {"/tufts/0/taper": None}, "not_a_choice", "/tufts/0/taper"),
-    Row("section is no choice", {"/tufts/0/section": "Circle"}, "not_a_choice", "/tufts/0/section"),
-    *outside("/tufts/0/twist_deg", -3600, 3600),
-    *outside("/tufts/0/roll_deg", -360, 360),
-    *outside_whole("/tufts/0/joints", 1, 64),
-    Row("joints are null", {"/tufts/0/joints": None}, "wrong_type", "/tufts/0/joints"),
-    *outside("/tufts/0/phase", -1000, 1000),
-    *outside_whole("/tufts/0/cycles", 1, 11),
-    Row("a tuft has a field too many", {"/tufts/0/length": 1}, "unknown_field", "/tufts/0/length"),
-    Row("a field's name needs escaping", {"/tufts/0/a~1b~0c": 1}, "unknown_field", "/tufts/0/a~1b~0c"),
+    *placed("/tufts/0", TUFT),
     Row("the last of several is wrong", {"/tufts/3/diameter": 101}, "out_of_range", "/tufts/3/diameter"),
 ]
 
 MESH = [
     Row("mesh is null", {"/mesh": None}, "wrong_type", "/mesh"),
     Row("mesh has a field too many", {"/mesh": {"side": 12}}, "unknown_field", "/mesh/side"),
-    *[Row(row.name, {"/mesh": {}, **row.changes}, row.slug, row.pointer) for row in (
+    *[row._replace(changes={"/mesh": {}, **row.changes}) for row in (
         *outside("/mesh/tolerance", 1e-5, 1), *outside_whole("/mesh/sides", 3, 64), *outside_whole("/mesh/rings", 2, 4096),
         Row("tolerance is null", {"/mesh/tolerance": None}, "wrong_type", "/mesh/tolerance"),
         Row("sides are null", {"/mesh/sides": None}, "wrong_type", "/mesh/sides"),
@@ -130,6 +93,9 @@ MESH = [
         Row("color has three digits", {"/mesh/color": "#abc"}, "wrong_type", "/mesh/color"),
         Row("color is no hexadecimal", {"/mesh/color": "#12345g"}, "wrong_type", "/mesh/color"),
         Row("color is null", {"/mesh/color": None}, "wrong_type", "/mesh/color"))],
+]
+
+TUFT_MESHES = [
     Row("too many vertices", {"/mesh": {"rings": 4096, "sides": 64}, "/tufts": [SMALL_TUFT] * 8}, "too_many", "/mesh"),
     Row("too many rings for the tolerance", {"/mesh": {"tolerance": 1e-5}, "/head": {"diameter_at_100": 1000},
                                              "/tufts": [{"points": [[1e3 * (i % 2), 1e3 * i, 1e3] for i in range(200)], "joints": 1}]},
@@ -139,7 +105,7 @@ MESH = [
 
 def timing(place: str) -> list[Row]:
     """What can be wrong with a timing that stands at `place`."""
-    at = [
+    return placed(place, [
         Row("timing is null", {"": None}, "wrong_type", ""),
         Row("timing has a field too many", {"/frames": 11}, "unknown_field", "/frames"),
         *outside("/period", 0.01, 60),
@@ -153,13 +119,13 @@ def timing(place: str) -> list[Row]:
         Row("fps is enormous", {"/fps": 1e300}, "out_of_range", "/fps"),
         Row("fps is null", {"/fps": None}, "wrong_type", "/fps"),
         Row("fps is a list", {"/fps": [24000, 1001]}, "wrong_type", "/fps"),
-        Row("fps divides by zero", {"/fps": "24/0"}, "out_of_range", "/fps"),
-        Row("fps is zero over zero", {"/fps": "0/0"}, "out_of_range", "/fps"),
+        Row("fps divides by zero", {"/fps": "24/0"}, "out_of_range", "/fps", beyond_schema=True),
+        Row("fps is zero over zero", {"/fps": "0/0"}, "out_of_range", "/fps", beyond_schema=True),
         Row("fps is no fraction", {"/fps": "24/1/1"}, "wrong_type", "/fps"),
         Row("fps is a word", {"/fps": "ntsc"}, "wrong_type", "/fps"),
         Row("fps has a sign", {"/fps": "-24"}, "wrong_type", "/fps"),
         Row("fps has eight digits", {"/fps": "24000000/1000000"}, "wrong_type", "/fps"),
-        Row("fps as a fraction above 240", {"/fps": "240001/1000"}, "out_of_range", "/fps"),
+        Row("fps as a fraction above 240", {"/fps": "240001/1000"}, "out_of_range", "/fps", beyond_schema=True),
         *outside_whole("/hold", 1, 24),
         Row("hold is null", {"/hold": None}, "wrong_type", "/hold"),
         Row("short_holds is no choice", {"/short_holds": "first"}, "not_a_choice", "/short_holds"),
@@ -167,8 +133,7 @@ def timing(place: str) -> list[Row]:
         Row("less than half a frame", {"/period": 0.02, "/fps": 24}, "too_few", "/period"),
         Row("too many frames", {"/period": 60, "/fps": 25, "/hold": 24}, "too_many", "/period"),
         Row("too many pictures", {"/period": 2, "/fps": 24, "/hold": 1}, "too_many", "/period"),
-    ]
-    return [Row(row.name, {place + pointer: value for pointer, value in row.changes.items()}, row.slug, place + row.pointer) for row in at]
+    ])
 
 
 def undefined_as_printed(place: str) -> Row:
@@ -209,7 +174,7 @@ MOTION = [
     Row("one_sided in absolute mode", {"/motion/one_sided": True, "/motion/mode": "absolute"}, "conflict", "/motion/one_sided"),
     *outside("/motion/lift", 0, 1),
     Row("phase is null", {"/motion/phase": None}, "wrong_type", "/motion/phase"),
-    *[Row(row.name, {"/motion/phase": {}, **row.changes}, row.slug, row.pointer) for row in (
+    *[row._replace(changes={"/motion/phase": {}, **row.changes}) for row in (
         Row("phase has a field too many", {"/motion/phase/offset": 1}, "unknown_field", "/motion/phase/offset"),
         Row("step is no choice", {"/motion/phase/step": "whole"}, "not_a_choice", "/motion/phase/step"),
         *outside("/motion/phase/gust_wavelength", 0.001, 1e6), *outside("/motion/phase/spread", 0, 1),
@@ -251,20 +216,24 @@ CHAINS = [
     *outside_whole("/chains/0/cycles", 1, 11),
     Row("half as many cycles of a chain as pictures", {"/chains/1/cycles": 3}, "conflict", "/chains/1/cycles"),
     Row("motion is null", {"/motion": None}, "wrong_type", "/motion"),
-    *[Row(row.name, {"/head": {}, **row.changes}, row.slug, row.pointer) for row in HEAD],
+    *[row._replace(changes={"/head": {}, **row.changes}) for row in HEAD],
 ]
 
 BODY = [Row(f"the body is {json.dumps(body)}", {"": body}, "wrong_type", "") for body in (None, True, 7, "tufts", [])]
 
 ROWS: dict[str, list[Row]] = {
-    "tufts": [*BODY, *HEAD, *TUFTS, *MESH,
+    "tufts": [*BODY, *HEAD, *TUFTS, *MESH, *TUFT_MESHES,
               Row("motion is not for still hair", {"/motion": {}}, "unknown_field", "/motion"),
+              Row("fills are not for still hair", {"/fills": []}, "unknown_field", "/fills"),
               Row("a format of other operations", {}, "not_a_choice", "?format", "?format=json"),
               Row("an unknown query", {}, "unknown_field", "?sides", "?sides=12")],
-    "hairstyles": [*BODY, *HEAD, *TUFTS, *MESH, *MOTION, *FORMULAS,
+    "fills": [*BODY, *HEAD, *FILLS, *[row._replace(query="?format=glb") for row in MESH],
+              *[row._replace(name=f"from: {row.name}") for row in placed("/fill/from", TUFT)],
+              *[row._replace(name=f"to: {row.name}") for row in placed("/fill/to", TUFT)]],
+    "hairstyles": [*BODY, *HEAD, *TUFTS, *MESH, *TUFT_MESHES, *MOTION, *FORMULAS, *HAIR_FILLS,
                    Row("half as many cycles of a tuft as pictures", {"/tufts/1/cycles": 3}, "conflict", "/tufts/1/cycles"),
-                   Row("an XDTS of still hair", {"/motion": REMOVED}, "missing_field", "/motion", "?format=xdts"),
-                   Row("a CSV of still hair", {"/motion": None}, "missing_field", "/motion", "?format=csv"),
+                   Row("an XDTS of still hair", {"/motion": REMOVED}, "missing_field", "/motion", "?format=xdts", beyond_schema=True),
+                   Row("a CSV of still hair", {"/motion": None}, "missing_field", "/motion", "?format=csv", beyond_schema=True),
                    Row("chains belong elsewhere", {"/chains": []}, "unknown_field", "/chains"),
                    Row("an unknown format", {}, "not_a_choice", "?format", "?format=fbx")],
     "motions": [*BODY, *MOTION, *CHAINS, *FORMULAS,
@@ -292,20 +261,3 @@ QUERIES = [
     ("=1", "unknown_field", "?"), ("hold=2&hold=2", "duplicate_key", "?hold"), ("format=csv&format=csv", "duplicate_key", "?format"),
     ("period=60&fps=25&hold=24", "too_many", "?period"), ("period=0.2083333333&hold=4&formulas=as_printed", "undefined_as_printed", "?hold"),
 ]
-
-
-def changed(operation: str, changes: dict[str, Any]) -> Any:
-    """An operation's example with changes made at JSON pointers."""
-    body = {"": contract.example(operation)}
-    for pointer, value in changes.items():
-        *path, last = ["", *(part.replace("~1", "/").replace("~0", "~") for part in pointer.split("/")[1:])]
-        node: Any = body
-        for part in path:
-            node = node[int(part)] if isinstance(node, list) else node.setdefault(part, {})
-        if value is REMOVED:
-            node.pop(last, None)
-        elif isinstance(node, list):
-            node[int(last)] = value
-        else:
-            node[last] = value
-    return body[""]

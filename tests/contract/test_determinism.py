@@ -6,6 +6,7 @@ import hashlib
 from typing import Any
 
 import contract
+from rows import tetrahedron
 from service import Service
 from support import ServiceTest, glb_parts
 
@@ -21,9 +22,26 @@ def hair(copies: int) -> dict[str, Any]:
     return body
 
 
+def filled(copies: int) -> dict[str, Any]:
+    """The example between its back tufts filled, on a scalp: enough to keep every worker busy."""
+    body = contract.example("hairstyles")
+    body["head"]["scalp"] = {"ellipsoid": {"radii": [0.1, 0.1, 0.1]}}
+    body["fills"] = [{"from": "side_L", "to": "side_R", "density": {"along": 50, "crown": 40, "neck": 60}, "jitter": {"seed": i}} for i in range(copies)]
+    return body
+
+
+def dense_fill(**head: Any) -> dict[str, Any]:
+    """The example of a fill with many more tufts."""
+    body = contract.example("fills")
+    body["head"].update(head)
+    body["fill"].update(tufts_per_meter=150, density={"along": 90, "crown": 90, "neck": 85})
+    return body
+
+
 class Determinism(ServiceTest):
     def test_the_number_of_workers_changes_no_byte(self) -> None:
-        bodies = {"per tuft": hair(8), "merged": {**hair(8), "mesh": {"layout": "merged", "sides": 7}}}
+        bodies = {"per tuft": hair(8), "merged": {**hair(8), "mesh": {"layout": "merged", "sides": 7}}, "filled": filled(4)}
+        fills = {"on an ellipsoid": dense_fill(), "on a mesh": dense_fill(scalp={"mesh": tetrahedron()})}
         hashes: dict[str, dict[int, str]] = {}
         for workers in WORKERS:
             with Service(self.program, "--workers", str(workers)) as service:
@@ -32,9 +50,15 @@ class Determinism(ServiceTest):
                         answer = service.post(f"/v1/hairstyles?format={word}", body)
                         self.assertEqual(answer.status, 200, answer.body[:300])
                         hashes.setdefault(f"hairstyles {name} {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
+                for name, body in fills.items():
+                    for word in ("json", "glb", "gltf"):
+                        answer = service.post(f"/v1/fills?format={word}", body)
+                        self.assertEqual(answer.status, 200, answer.body[:300])
+                        hashes.setdefault(f"fills {name} {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
                 for word in ("json", "glb", "gltf"):
                     answer = service.post(f"/v1/motions?format={word}", contract.example("motions"))
                     hashes.setdefault(f"motions {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
+        self.assertEqual(len(hashes), (len(bodies) * len(FORMATS)) + 3 * len(fills) + 3)
         for what, by_workers in hashes.items():
             with self.subTest(what):
                 self.assertEqual(len(set(by_workers.values())), 1, by_workers)
@@ -87,5 +111,21 @@ RECIPES = {
     "a name that no tool keeps": lambda body: body["tufts"][0].update(name="\u524d\u9aea \"\\/\n\u0000 <b>"),
     "a coarse mesh": lambda body: body.update(mesh={"rings": 2, "sides": 3, "layout": "merged", "color": "#ABCDEF", "tolerance": 0.5}),
     "as printed": lambda body: body.update(formulas="as_printed"),
+    "fills": lambda body: body.update(fills=[
+        {"from": "back_R1", "to": "back_L1", "density": {"along": 60, "crown": None, "neck": 30}}, {"from": "back_R1", "direction": "shorter", "density": {"along": 0, "crown": 1}},
+        {"from": "fringe_M", "to": "ahoge", "name": "\u9aea", "density": {}, "arc": "path", "min_gap": 1 / 3}]),
+    "all of a fill": lambda body: body.update(fills=[{
+        "from": "side_R", "to": "ahoge", "name": "between", "tufts_per_meter": 100 / 3, "density": {"along": 200 / 3, "crown": 1, "neck": 100},
+        "jitter": {"seed": 9007199254740991}, "formulas": "as_printed", "spacing": "half_gap", "arc": "path", "direction": "clockwise", "resample": True, "min_gap": 0.1}]),
+    "a fill as printed": lambda body: body.update(formulas="as_printed", fills=[{"from": "back_M", "to": "back_L3"}, {"from": "back_M", "formulas": "corrected"}]),
+    "a fill that is corrected in words": lambda body: body.update(fills=[{"from": "back_M", "formulas": "corrected", "jitter": {}, "spacing": None, "resample": None}]),
+    "a fill that must not resample": lambda body: body.update(fills=[{"from": "back_M", "to": "back_L3", "resample": False, "spacing": "diameter"}]),
+    "no fill": lambda body: body.update(fills=[]),
+    "an ellipsoid": lambda body: (body["head"].update(scalp={"ellipsoid": {"radii": [0.1, 0.3, 1 / 3], "center": [0.01, 0.01 + 0.02, 1e-17]}}), body.update(fills=[{"from": "back_M"}])),
+    "an ellipsoid without a center": lambda body: (body["head"].update(scalp={"ellipsoid": {"radii": [0.1, 0.1, 0.1]}}, center=[0, 0.01, 0]), body.update(fills=[{"from": "back_M"}])),
+    "a scalp mesh": lambda body: (body["head"].update(scalp={"mesh": tetrahedron()}), body.update(fills=[{"from": "back_M", "density": {"crown": 50}}])),
+    "a scalp that nothing grows on": lambda body: body["head"].update(scalp={"mesh": {"positions": [1 / 3] * 9, "triangles": [2, 2, 2]}}),
+    "filled tufts": lambda body: [tuft.update(origin={"kind": kind, "index": 16386, **more}) for tuft, (kind, more) in zip(
+        body["tufts"], (("along", {}), ("crown", {"parent": 1}), ("neck", {"parent": None})))],
     "numbers at the edge": lambda body: body["tufts"][0]["points"].__setitem__(1, [0.1 + 0.2, -0.0, 5e-324]),
 }

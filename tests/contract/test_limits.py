@@ -13,12 +13,18 @@ RANGES = {
     "coordinate": ["Coordinate"],
     "root_depth": ["Head/root_depth"],
     "diameter_at_100": ["Head/diameter_at_100"],
+    "scalp_radius": ["ScalpRadius"],
+    "scalp_vertex": ["ScalpVertex"],
     "diameter": ["Tuft/diameter"],
     "widest_at": ["Tuft/widest_at"],
     "flatness": ["Tuft/flatness"],
     "twist_deg": ["Tuft/twist_deg"],
     "roll_deg": ["Tuft/roll_deg"],
     "joints": ["Tuft/joints"],
+    "origin": ["OriginNumber"],
+    "density": ["Density/oneOf/0"],
+    "tufts_per_meter": ["TuftsPerMeter"],
+    "min_gap": ["MinGap"],
     "sides": ["MeshDetail/sides"],
     "rings": ["MeshDetail/rings"],
     "tolerance": ["MeshDetail/tolerance"],
@@ -32,7 +38,7 @@ RANGES = {
     "cycles": ["ChainCycles", "Phasing/cycles"],
     "gust_wavelength": ["Phasing/gust_wavelength"],
     "spread": ["Phasing/spread"],
-    "seed": ["Phasing/seed"],
+    "seed": ["Phasing/seed", "Jitter/seed"],
     "repeat": ["Repeat"],
 }
 # Of these the magnitude is served: zero and what is near it are refused on both sides.
@@ -41,6 +47,7 @@ MAGNITUDES = {"spatial_period": "Wave/spatial_period", "lightness": "Wave/lightn
 COUNTS = {
     "tufts": [("TuftList", "maxItems")],
     "points_per_tuft": [("Tuft/points", "maxItems")],
+    "fills": [("HairstyleRequest/fills", "maxItems")],
     "chains": [("MotionsRequest/chains", "maxItems")],
     "nodes_per_chain": [("Chain/nodes", "maxItems"), ("Chain/rest_rotations", "maxItems")],
     "joints": [("HairstyleAnswer/totals/joints", "maximum")],
@@ -50,11 +57,14 @@ COUNTS = {
     "frames": [("Schedule/frames", "maximum")],
     "pictures": [("Schedule/pictures", "maximum")],
 }
+# The same of lists that hold three numbers for each that is counted.
+TRIPLES = {"scalp_vertices": "ScalpMesh/positions", "scalp_triangles": "ScalpMesh/triangles"}
 # Limits of a whole request, which no keyword of a schema can state.
 OF_WHOLE_REQUESTS = {"points", "node_poses", "sheet_frames"}
 # The smallest sizes of lists follow from what the lists are.
-SMALLEST_SIZES = {"Vec3": 3, "Rotation": 4, "TuftList": 1, "Tuft/points": 2, "Chain/nodes": 2, "Chain/rest_rotations": 2, "MotionsRequest/chains": 1}
-FIXED_SIZES = {"Vec3": 3, "Rotation": 4}
+SMALLEST_SIZES = {"Vec3": 3, "Rotation": 4, "TuftList": 1, "Tuft/points": 2, "Chain/nodes": 2, "Chain/rest_rotations": 2, "MotionsRequest/chains": 1,
+                  "HairstyleRequest/fills": 0, "ScalpEllipsoid/radii": 3, "ScalpMesh/positions": 9, "ScalpMesh/triangles": 3}
+FIXED_SIZES = {"Vec3": 3, "Rotation": 4, "ScalpEllipsoid/radii": 3}
 
 
 def field(place: str) -> dict[str, Any]:
@@ -102,13 +112,18 @@ class Limits(ServiceTest):
                 with self.subTest(name, place=place):
                     self.assertEqual(self.limits["counts"][name], field(place)[keyword])
 
+    def test_served_counts_are_a_third_of_flat_lists(self) -> None:
+        for name, place in TRIPLES.items():
+            with self.subTest(name):
+                self.assertEqual(3 * self.limits["counts"][name], field(place)["maxItems"])
+
     def test_nothing_is_served_that_is_not_documented(self) -> None:
         self.assertEqual(set(self.limits["ranges"]), RANGES.keys() | MAGNITUDES.keys())
-        self.assertEqual(set(self.limits["counts"]), COUNTS.keys() | OF_WHOLE_REQUESTS)
+        self.assertEqual(set(self.limits["counts"]), COUNTS.keys() | TRIPLES.keys() | OF_WHOLE_REQUESTS)
 
     def test_nothing_is_documented_that_is_not_served(self) -> None:
         ranges = {place for places in RANGES.values() for place in places} | set(MAGNITUDES.values())
-        sizes = {place for places in COUNTS.values() for place, keyword in places if keyword == "maxItems"} | FIXED_SIZES.keys()
+        sizes = {place for places in COUNTS.values() for place, keyword in places if keyword == "maxItems"} | set(TRIPLES.values()) | FIXED_SIZES.keys()
         for place, schema in request_parts():
             with self.subTest(place):
                 if "minimum" in schema or "maximum" in schema:
@@ -122,6 +137,9 @@ class Limits(ServiceTest):
         counts = self.limits["counts"]
         self.assertGreaterEqual(counts["points"], counts["points_per_tuft"])
         self.assertGreaterEqual(counts["sheet_frames"], counts["frames"])
+        self.assertEqual(self.limits["ranges"]["scalp_vertex"]["maximum"], counts["scalp_vertices"] - 1)
+        self.assertEqual(self.limits["ranges"]["origin"]["maximum"], counts["tufts"] + 2)  # the two of the fill count, too
+        self.assertGreaterEqual(self.limits["json_values"], 3 * (counts["scalp_vertices"] + counts["scalp_triangles"]) + 4 * counts["points"])
         self.assertGreaterEqual(counts["node_poses"], counts["nodes_per_chain"] * counts["pictures"])
 
 

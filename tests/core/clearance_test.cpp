@@ -77,10 +77,12 @@ TEST(BendOutwards, DoesNotCareWhereItIsNotWanted) {
     EXPECT_EQ(stroke, before);
 }
 
-TEST(BendOutwards, EndsWhereTheStrokeEndsInTheMiddleOfTheHead) {
-    Points stroke{{0, 0, 0.1}, {0, 0, 0}};
-    bend_outwards(stroke, kEverywhere, ball(), 0.01);
-    for (const Vec3& point : stroke) EXPECT_TRUE(is_finite(point));
+TEST(BendOutwards, IsStuckWhereNothingOfTheStrokeWouldBeLeft) {
+    // Its tip in the middle of the head goes out the way it came, until it meets the root.
+    for (const double root_depth : {0.0, 0.01}) {
+        Points stroke{{0, 0, 0.1}, {0, 0, 0}};
+        EXPECT_EQ(bend_outwards(stroke, kEverywhere, ball(), root_depth), Bend::kStuck) << root_depth;
+    }
 }
 
 }  // namespace

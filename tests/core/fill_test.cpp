@@ -49,7 +49,7 @@ Filled filled(const Tuft& from, const Tuft* to, const FillSettings& settings, co
     const Result<FillPlan> plan = plan_fill(from, to, settings, head, {});
     EXPECT_TRUE(plan) << plan.error().field;
     const auto scalp = Scalp::of(head);
-    return *make_fill(*plan, head, *scalp ? &**scalp : nullptr, InOrder{}, {});
+    return *make_fill(*plan, head, *scalp ? &**scalp : nullptr, {}, InOrder{}, {});
 }
 
 Filled filled(const Tuft& from, const Tuft& to, const FillSettings& settings, const Head& head = {}) {
@@ -265,9 +265,9 @@ TEST(Fill, IsTheSameForAnyOrderOfWork) {
     settings.min_gap = 0.5;
     const auto plan = *plan_fill(side_lock(), nullptr, settings, head, {});
     const Scalp scalp = **Scalp::of(head);
-    const Filled in_order = *make_fill(plan, head, &scalp, InOrder{}, {});
+    const Filled in_order = *make_fill(plan, head, &scalp, {}, InOrder{}, {});
     const auto is_same = [&](const ForEach& for_each) {
-        const Filled other = *make_fill(plan, head, &scalp, for_each, {});
+        const Filled other = *make_fill(plan, head, &scalp, {}, for_each, {});
         if (other.tufts.size() != in_order.tufts.size()) return false;
         for (std::size_t i = 0; i < other.tufts.size(); ++i) {
             if (other.tufts[i].points != in_order.tufts[i].points) return false;
@@ -378,11 +378,31 @@ TEST(Fill, OfTooManyTuftsSaysHowManyWouldHaveCome) {
     EXPECT_TRUE(is_refused(plan_fill(from, &to, settings, {}, limits), ErrorCode::kTooMany, "/density"));
 }
 
+TEST(Fill, OfAStrokeThatLeavesTheWorldAsItTurnsIsRefused) {
+    // Drawn at the edge of what a coordinate may be, about a center at the other edge.
+    Head head;
+    head.center = {-1e6, 0, 0};
+    const Tuft far = test::tuft_along("far", {{9e5, 0, 0}, {9e5, -1e5, 0}});
+    const auto plan = *plan_fill(far, nullptr, {}, head, {});
+    EXPECT_TRUE(is_refused(make_fill(plan, head, nullptr, {}, InOrder{}, {}), ErrorCode::kOutOfRange, "/from/points"));
+}
+
+TEST(Fill, WhereTheScalpRunsThroughTheCenterNoHairGrows) {
+    Head head;
+    ScalpMesh plane;
+    plane.positions = {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
+    plane.triangles = {{0, 1, 2}};
+    head.scalp = plane;
+    const Filled ring = filled(side_lock(), nullptr, dense(), head);
+    EXPECT_TRUE(ring.tufts.empty());
+    EXPECT_GT(ring.report.off_scalp, 0u);
+}
+
 TEST(Fill, StopsWhenItIsTold) {
     const auto plan = *plan_fill(side_lock(), nullptr, {}, {}, {});
     std::stop_source source;
     source.request_stop();
-    EXPECT_TRUE(is_refused(make_fill(plan, {}, nullptr, InOrder{}, source.get_token()), ErrorCode::kCancelled, ""));
+    EXPECT_TRUE(is_refused(make_fill(plan, {}, nullptr, {}, InOrder{}, source.get_token()), ErrorCode::kCancelled, ""));
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(RealFills, BetweenNeighboursAreLikeTheirNeighbours) {
                 SCOPED_TRACE(strokes[i - 1].name + " and " + strokes[i].name);
                 const Result<FillPlan> plan = plan_fill(strokes[i - 1], &strokes[i], settings, head, {});
                 ASSERT_TRUE(plan) << plan.error().field;
-                const Filled fill = *make_fill(*plan, head, nullptr, InOrder{}, {});
+                const Filled fill = *make_fill(*plan, head, nullptr, {}, InOrder{}, {});
                 for (const Tuft& tuft : fill.tufts) {
                     EXPECT_FALSE(check_tuft(tuft, head, {}));
                     expect_likeness(tuft, *plan, frame);
@@ -164,7 +164,7 @@ TEST_P(RingsOnAHead, HaveTheirRootsOnItAndTheirLinesOutsideOfIt) {
             const Tuft drawn = hanging_lock(head_, scalp, azimuth_deg, elevation_deg);
             settings.jitter_seed = tufts;
             const FillPlan plan = *plan_fill(drawn, nullptr, settings, head_, {});
-            const Filled ring = *make_fill(plan, head_, &scalp, InOrder{}, {});
+            const Filled ring = *make_fill(plan, head_, &scalp, {}, InOrder{}, {});
             for (const Tuft& tuft : ring.tufts) {
                 SCOPED_TRACE(tuft.name + " at " + std::to_string(azimuth_deg) + " " + std::to_string(elevation_deg));
                 EXPECT_LT(distance_to(std::get<ScalpMesh>(head_.scalp), tuft.points.front()), 1e-6);

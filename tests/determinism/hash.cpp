@@ -7,15 +7,18 @@
 #include <cstring>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "tuftwave/elementary.hpp"
+#include "tuftwave/fill.hpp"
 #include "tuftwave/hairstyle.hpp"
 #include "tuftwave/quality.hpp"
 #include "tuftwave/random.hpp"
+#include "tuftwave/scalp.hpp"
 
 namespace tuftwave {
 namespace {
@@ -188,6 +191,97 @@ void hash_motions() {
     });
 }
 
+/// A closed mesh around the head's center whose surface goes in and out. @param radius  metres, at most
+ScalpMesh bumpy_scalp(Numbers& numbers, double radius) {
+    constexpr std::uint32_t kRows = 20, kColumns = 40;
+    ScalpMesh mesh;
+    for (std::uint32_t row = 0; row <= kRows; ++row) {
+        for (std::uint32_t column = 0; column < kColumns; ++column) {
+            const Bearing bearing{2 * kPi * column / kColumns, kPi * row / kRows - kPi / 2};
+            mesh.positions.push_back(radius * numbers.between(0.9, 1) * vector_towards(bearing));
+        }
+    }
+    for (std::uint32_t row = 0; row < kRows; ++row) {
+        for (std::uint32_t column = 0; column < kColumns; ++column) {
+            const std::uint32_t next = (column + 1) % kColumns, here = row * kColumns, above = here + kColumns;
+            mesh.triangles.push_back({here + column, here + next, above + next});
+            mesh.triangles.push_back({here + column, above + next, above + column});
+        }
+    }
+    return mesh;
+}
+
+void add_fill(Hash& hash, const Filled& filled) {
+    for (const Tuft& tuft : filled.tufts) {
+        for (const Vec3& point : tuft.points) hash.add(point);
+        for (const double number : {tuft.diameter, tuft.widest_at, tuft.flatness, tuft.twist_deg, tuft.roll_deg,
+                                    tuft.phase, static_cast<double>(tuft.joints)})
+            hash.add(number);
+        hash.add(static_cast<std::uint64_t>(tuft.origin->index) << 32 |
+                 static_cast<std::uint64_t>(tuft.origin->parent.value_or(0)));
+    }
+    const FillReport& report = filled.report;
+    for (const double term : {report.gap.sweep, report.gap.rise, report.gap.gamma, report.gap.distance}) hash.add(term);
+    for (const std::size_t count : {report.along, report.crown, report.neck, report.beyond_hairline, report.crowded,
+                                    report.off_scalp, report.inside, report.moved_out})
+        hash.add(static_cast<std::uint64_t>(count));
+}
+
+/// Fills between 25 pairs of tufts, or around the head from the first of each.
+void print_fills(const std::string& what, const Head& head, const FillSettings& settings, bool is_ring) {
+    Numbers numbers(19);
+    const Result<std::optional<Scalp>> scalp = Scalp::of(head);
+    Hash hash;
+    std::size_t tufts = 0;
+    for (int i = 0; i < 25 && scalp; ++i) {
+        const Tuft from = wandering_tuft(numbers, 0.03), to = wandering_tuft(numbers, 0.03);
+        const Result<FillPlan> plan = plan_fill(from, is_ring ? nullptr : &to, settings, head, Limits{});
+        if (!plan) {
+            std::printf("%-32s refused at %s\n", what.c_str(), plan.error().field.c_str());
+            return;
+        }
+        const Result<Filled> filled = make_fill(*plan, head, *scalp ? &**scalp : nullptr, {}, InOrder(), {});
+        add_fill(hash, *filled);
+        tufts += filled->tufts.size();
+    }
+    if (tufts < 100)
+        std::printf("%-32s refused: only %zu tufts\n", what.c_str(), tufts);
+    else
+        hash.print(what);
+}
+
+void hash_fills() {
+    Numbers numbers(13);
+    Head bare, round, bumpy;
+    round.scalp = ScalpEllipsoid{Vec3{0.004, -0.01, 0.006}, {0.085, 0.11, 0.095}};
+    bumpy.scalp = bumpy_scalp(numbers, 0.1);
+    bumpy.up = {0.2, 1, -0.1};
+    FillSettings row, everywhere, other;
+    row.density = {80, {}, {}};
+    everywhere.density = {60, 70, 75};
+    everywhere.jitter_seed = 9007199254740991;
+    other = everywhere;
+    other.spacing = Spacing::kHalfGap;
+    other.arc = Arc::kPath;
+    other.direction = FillDirection::kShorter;
+    other.min_gap = 0.4;
+    for (const auto& [place, head] : {std::pair{"no scalp", bare}, {"ellipsoid", round}, {"mesh", bumpy}}) {
+        print_fills(std::string("fills along, ") + place, head, row, false);
+        print_fills(std::string("fills with jitter, ") + place, head, everywhere, false);
+        print_fills(std::string("fills with gaps, ") + place, head, other, false);
+        print_fills(std::string("rings, ") + place, head, everywhere, true);
+    }
+    FillSettings printed = everywhere;
+    printed.formulas = Formulas::kAsPrinted;
+    printed.resample = true;
+    print_fills("fills as printed", bare, printed, false);
+
+    Hairstyle hairstyle = hairstyle_of(17, 0.03);
+    hairstyle.head = bumpy;
+    hairstyle.fills = {{0, 1, everywhere}, {2, {}, other}, {3, 3, row}};
+    print_plan("filled", hairstyle);
+}
+
 void hash_schedules_and_quality() {
     Numbers numbers(3);
     Hash schedules, crossings;
@@ -223,5 +317,6 @@ int main(int count, char** arguments) {
     tuftwave::hash_elementary();
     tuftwave::hash_meshes();
     tuftwave::hash_motions();
+    tuftwave::hash_fills();
     tuftwave::hash_schedules_and_quality();
 }

@@ -83,6 +83,33 @@ def stills() -> Iterator[tuple[str, Body]]:
     yield "still_many_vertices", {"tufts": [fringe], "mesh": {"rings": 1100, "sides": 60}}
 
 
+def fills() -> Iterator[tuple[str, Body]]:
+    """Bodies of /v1/fills."""
+    back = example("fills")
+    yield "example_fills", back
+    yield "fill_merged", {**back, "mesh": {"layout": "merged"}}
+    free = {"head": {}, "fill": {**back["fill"], "min_gap": 0}}
+    ring = {**free["fill"], "to": None, "density": {"along": 60, "crown": 100, "neck": 100}}
+    yield "fill_without_scalp", free
+    yield "fill_ring", {**free, "fill": ring}
+    yield "fill_ring_as_printed", {**free, "fill": {**ring, "formulas": "as_printed"}}
+    yield "fill_foreign_name", {**free, "fill": {**ring, "name": "\u9aea"}}
+    pole = {"points": [[0, 0.1, 0], [0, 0.2, 0.01]]}
+    yield "fill_from_the_pole", {"fill": {"from": pole, "density": {"along": 100, "neck": 90}, "jitter": {}}}
+    yield "fill_to_the_pole", {**free, "fill": {**free["fill"], "to": {**pole, "diameter": 100}}}
+    opposite = {"points": [[0.1, 0, 0], [0.2, 0, 0], [0.1, 0, 0]]}
+    yield "fill_there_back", {"head": {"root_depth": 0}, "fill": {"from": opposite, "density": {"along": 50, "crown": 50}}}
+    yield "fill_small_scalp", {**back, "head": {"scalp": {"ellipsoid": {"radii": [0.08, 0.07, 0.09], "center": [0, 0.01, 0]}}}}
+    yield "fill_large_scalp", {**back, "head": {"scalp": {"ellipsoid": {"radii": [0.12, 0.15, 0.13]}}}}
+
+
+# Around the head 720 times and up and down from there; small meshes with few bones.
+MANY = {"head": {"diameter_at_100": 0.01},
+        "fill": {"from": {"points": [[0.1, 0, 0], [0.11, -0.05, 0]], "joints": 1}, "tufts_per_meter": 1146, "density": {"along": 100, "crown": 100, "neck": 100}, "jitter": {}},
+        "mesh": {"rings": 3, "sides": 4}}
+MANY_TUFTS = 10000
+
+
 def hairs() -> Iterator[tuple[str, Body]]:
     """Bodies of /v1/hairstyles, all of which move."""
     bob = example("hairstyles")
@@ -96,6 +123,11 @@ def hairs() -> Iterator[tuple[str, Body]]:
     yield "hair_on_its_side", {**bob, "head": {"up": [1, 0, 0]}, "motion": {**bob["motion"], "wind": [0, -1, 1]}}
     yield "hair_closed", {**bob, "head": {"root_depth": 0}, "tufts": [{"points": [[0.1, 0, 0], [0.2, 0, 0], [0.1, 0, 0]], "joints": 1}]}
     yield "hair_wild", {**bob, "motion": {"wave": {"amplitude": 100, "spatial_period": -0.05, "lightness": -0.05, "tip_exponent": 8}}}
+    filled = {**bob, "head": {**bob["head"], "scalp": {"ellipsoid": {"radii": [0.1, 0.1, 0.1]}}},
+              "fills": [{"from": "back_R1", "to": "back_L1", "density": {"along": 80, "crown": None, "neck": 30}, "jitter": {"seed": 1}},
+                        {"from": "fringe_L2", "to": "fringe_R2", "direction": "shorter", "name": "\u524d\u9aea"}, {"from": "ahoge", "density": {"along": 20}}]}
+    yield "hair_filled", filled
+    yield "hair_filled_merged", {**filled, "mesh": {"layout": "merged"}}
     for head, body in people():
         for layout in ("per_tuft", "merged"):
             yield f"{head}_{layout}", {**body, "mesh": {**body["mesh"], "layout": layout}}
@@ -136,19 +168,21 @@ class Files:
         if fault:
             print(f"FAILED {name}: {fault}")
 
-    def write(self, operation: str, name: str, body: Body, *formats: str) -> None:
+    def write(self, operation: str, name: str, body: Body, *formats: str) -> dict[str, bytes]:
+        """@return  the files by format; those before the first refusal"""
         text = json.dumps(body, ensure_ascii=False)
         bytes_of: dict[str, bytes] = {}
         for word in formats:
             answer = self._service.post(f"/v1/{operation}?format={word}", text)
             self.check(f"{name}.{word}", "" if answer.status == 200 else f"{answer.status} {answer.body[:300]!r}")
             if answer.status != 200:
-                return
+                return bytes_of
             bytes_of[word] = answer.body
             with open(os.path.join(self._directory, f"{name}.{word}"), "wb") as file:
                 file.write(answer.body)
         if "gltf" in formats:
             self.check(f"{name}: GLB and glTF", "" if unpacked(bytes_of["glb"]) == embedded(bytes_of["gltf"]) else "differ in more than their packing")
+        return bytes_of
 
 
 def unpacked(glb: bytes) -> tuple[Any, bytes]:
@@ -168,6 +202,9 @@ def embedded(text: bytes) -> tuple[Any, bytes]:
 def write_files(files: Files) -> None:
     for name, body in stills():
         files.write("tufts", name, body, "glb", "gltf")
+    for name, body in fills():
+        files.write("fills", name, body, "glb", "gltf")
+    write_many(files)
     for name, body in hairs():
         files.write("hairstyles", name, body, "json", "glb", *([] if "tressfx" in name else ["gltf"]))
     for name, body in chains():
@@ -177,6 +214,17 @@ def write_files(files: Files) -> None:
         if timing["period"] * rate_of(timing["fps"]) / timing["hold"] <= 24:
             files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
             files.write("hairstyles", f"tuft_{name}", {"tufts": [tuft], "motion": {"timing": timing}}, "json", "glb")
+
+
+def write_many(files: Files) -> None:
+    for layout in ("merged", "per_tuft"):
+        name = f"fill_many_{layout}"
+        glb = files.write("fills", name, {**MANY, "mesh": {**MANY["mesh"], "layout": layout}}, "glb").get("glb")
+        if glb:
+            gltf, _ = unpacked(glb)
+            tufts, meshes = len(gltf["asset"]["extras"]["tuftwave"]["hairstyle"]["tufts"]), len(gltf["meshes"])
+            files.check(f"{name}: tufts", "" if tufts >= MANY_TUFTS else f"only {tufts}")
+            files.check(f"{name}: meshes", "" if meshes == (1 if layout == "merged" else tufts) else f"{meshes} of {tufts} tufts")
 
 
 def rate_of(fps: Any) -> float:

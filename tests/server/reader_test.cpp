@@ -64,6 +64,39 @@ TEST(Reader, NullEmptiesWhatMayBeEmpty) {
     EXPECT_FALSE(number || whole || vector);
 }
 
+TEST(Reader, WhetherMayBeLeftOpen) {
+    std::optional<bool> flag;
+    const auto read = [&](Fields& f) { f.boolean("x", flag); };
+    EXPECT_EQ(outcome("{}", read), "");
+    EXPECT_EQ(flag, std::nullopt);
+    EXPECT_EQ(outcome(R"({"x":false})", read), "");
+    EXPECT_EQ(flag, false);
+    EXPECT_EQ(outcome("{}", read), "");
+    EXPECT_EQ(flag, false);
+    EXPECT_EQ(outcome(R"({"x":true})", read), "");
+    EXPECT_EQ(flag, true);
+    EXPECT_EQ(outcome(R"({"x":null})", read), "");
+    EXPECT_EQ(flag, std::nullopt);
+    for (const char* const body : {R"({"x":0})", R"({"x":"true"})", R"({"x":[]})"}) {
+        EXPECT_EQ(outcome(body, read), "wrong_type /x") << body;
+    }
+}
+
+TEST(Reader, AnEmptyTextIsNotAMissingOne) {
+    std::optional<std::string> text;
+    const auto read = [&](Fields& f) { f.text("x", 3, text); };
+    EXPECT_EQ(outcome("{}", read), "");
+    EXPECT_EQ(text, std::nullopt);
+    EXPECT_EQ(outcome(R"({"x":""})", read), "");
+    EXPECT_EQ(text, "");
+    EXPECT_EQ(outcome(R"({"x":"前髪1"})", read), "");  // characters count, not bytes
+    EXPECT_EQ(text, "前髪1");
+    EXPECT_EQ(outcome(R"({"x":null})", read), "");
+    EXPECT_EQ(text, std::nullopt);
+    EXPECT_EQ(outcome(R"({"x":"four"})", read), "too_many /x");
+    EXPECT_EQ(outcome(R"({"x":4})", read), "wrong_type /x");
+}
+
 TEST(Reader, NamesTheItemThatIsWrong) {
     std::vector<Vec3> points;
     const auto read = [&](Fields& f) { f.vectors("x", 2, points); };
@@ -73,6 +106,40 @@ TEST(Reader, NamesTheItemThatIsWrong) {
     EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4]]})", read), "wrong_type /x/1");
     EXPECT_EQ(outcome(R"({"x":{}})", read), "wrong_type /x");
     EXPECT_EQ(outcome(R"({"x":[1,2,3]})", read), "too_many /x");  // refused unread
+}
+
+TEST(Reader, ReadsFlatListsOfVectors) {
+    std::vector<Vec3> positions;
+    const auto read = [&](Fields& f) { f.flat_vectors("x", 2, positions); };
+    EXPECT_EQ(outcome(R"({"x":[0,1,2,3,4.5,5]})", read), "");
+    EXPECT_EQ(positions, (std::vector<Vec3>{{0, 1, 2}, {3, 4.5, 5}}));
+    positions.clear();
+    EXPECT_EQ(outcome(R"({"x":[]})", read), "");  // whether that is too few is for core to say
+    EXPECT_EQ(outcome("{}", read), "");
+    EXPECT_TRUE(positions.empty());
+    EXPECT_EQ(outcome(R"({"x":[0,1,2,3]})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":[0,1]})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":[0,1,2,3,"4",5]})", read), "wrong_type /x/4");
+    EXPECT_EQ(outcome(R"({"x":[0,null,2]})", read), "wrong_type /x/1");
+    EXPECT_EQ(outcome(R"({"x":[[0,1,2],[3,4,5],[6,7,8]]})", read), "wrong_type /x/0");
+    EXPECT_EQ(outcome(R"({"x":null})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":{}})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":["a","b","c","d","e","f","g","h","i"]})", read), "too_many /x");  // refused unread
+}
+
+TEST(Reader, ReadsFlatListsOfTriples) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    const auto read = [&](Fields& f) { f.flat_triples("x", 2, {0, 9}, triangles); };
+    EXPECT_EQ(outcome(R"({"x":[0,1,2.0,7,8,9]})", read), "");
+    EXPECT_EQ(triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {7, 8, 9}}));
+    EXPECT_EQ(outcome(R"({"x":[0,1,2,3]})", read), "wrong_type /x");
+    EXPECT_EQ(outcome(R"({"x":[0,1,2.5]})", read), "wrong_type /x/2");
+    EXPECT_EQ(outcome(R"({"x":[0,true,2]})", read), "wrong_type /x/1");
+    for (const char* const vertex : {"-1", "10", "1e300", "4294967296", "18446744073709551616"}) {
+        EXPECT_EQ(outcome(std::string(R"({"x":[0,)") + vertex + ",2]}", read), "out_of_range /x/1") << vertex;
+    }
+    EXPECT_EQ(outcome(R"({"x":[0,1,2,3,4,5,6,7,8]})", read), "too_many /x");
+    EXPECT_EQ(triangles.size(), 2U);
 }
 
 TEST(Reader, FindsFieldsThatNobodyAskedFor) {

@@ -63,10 +63,10 @@ struct Filled {
 
 /// Makes the tufts of a fill.
 /// @param scalp  of the same head; null is none
-/// @errors  cancelled
+/// @errors  cancelled; out_of_range ("/from/points": a stroke that leaves the range of coordinates as it is turned)
 /// Cost O(tufts * points), with a scalp times log triangles. Deterministic for any `for_each`.
 /// Source: Shimosoyama, Yamamoto and Noma, section 4.
-Result<Filled> make_fill(const FillPlan& plan, const Head& head, const Scalp* scalp, const ForEach& for_each,
-                         std::stop_token stop);
+Result<Filled> make_fill(const FillPlan& plan, const Head& head, const Scalp* scalp, const Limits& limits,
+                         const ForEach& for_each, std::stop_token stop);
 
 }  // namespace tuftwave

@@ -1,0 +1,28 @@
+#include "api/hair_bytes.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/write_nouns.hpp"
+#include "version.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
+    nlohmann::ordered_json extras{{"version", kVersion}, {"hairstyle", hairstyle_json(hair.hairstyle, hair.look)}};
+    if (plan.motion) {
+        extras["schedule"] = schedule_json(plan.motion->schedule);
+        extras["warnings"] = warnings_json(&plan.motion->schedule, plan.fills);
+    }
+    return {{"tuftwave", std::move(extras)}};
+}
+
+}  // namespace
+
+std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context) {
+    const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
+    const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
+    return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), clip, container, context.for_each, context.stop);
+}
+
+}  // namespace tuftwave::server
