@@ -1,9 +1,12 @@
 // How fast core is. Run by script/bench; nothing asserts a time.
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "tuftwave/elementary.hpp"
+#include "tuftwave/fill.hpp"
 #include "tuftwave/hairstyle.hpp"
 
 namespace tuftwave {
@@ -61,6 +64,31 @@ void move_200_chains(benchmark::State& state) {
     state.counters["node-poses/s"] = benchmark::Counter(200.0 * 16 * 12, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(move_200_chains)->Unit(benchmark::kMillisecond);
+
+/// A dense ring with rows to crown and neck, about 9,000 tufts. @param shape  of the scalp
+void fill_a_ring(benchmark::State& state, const ScalpShape& shape) {
+    Head head;
+    head.scalp = shape;
+    Tuft drawn;
+    drawn.points = {{0, 0.08, 0.06}, {0, 0.08, 0.09}, {0, 0.05, 0.11}, {0, -0.05, 0.11}};
+    FillSettings settings;
+    settings.density = {100.0, 100.0, 100.0};
+    settings.tufts_per_meter = 1000;
+    settings.jitter_seed = 1;
+    const Scalp* scalp = nullptr;
+    const auto made = *Scalp::of(head);
+    if (made) scalp = &*made;
+    std::size_t tufts = 0;
+    for (auto _ : state) {
+        const Filled filled =
+            *make_fill(*plan_fill(drawn, nullptr, settings, head, {}), head, scalp, {}, InOrder(), {});
+        tufts = filled.tufts.size();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tufts));
+}
+BENCHMARK_CAPTURE(fill_a_ring, bare, ScalpShape())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fill_a_ring, on_an_ellipsoid, ScalpShape(ScalpEllipsoid{{}, {0.1, 0.1, 0.1}}))
+    ->Unit(benchmark::kMillisecond);
 
 void sincos(benchmark::State& state) {
     double x = 0;

@@ -1,9 +1,10 @@
-// The bodies that are posted: made by the converters from the test data, or written out in shapes.mjs.
+// The bodies that are posted: made by the converters from the test data, or written out in shapes.mjs and fills.mjs.
 import { execFile } from "node:child_process";
 import { readdir } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 
+import { kFills } from "./fills.mjs";
 import { kShapes } from "./shapes.mjs";
 
 const run = promisify(execFile);
@@ -17,9 +18,10 @@ async function convert(script, files, motion, more = []) {
   return (await run("python3", options, { maxBuffer: 2 ** 26 })).stdout;
 }
 
-/** The JSON of a request, as text: a name from shapes.mjs, or whose hair and in which motion, "vita-breeze". */
+/** The JSON of a request, as text: a name from shapes.mjs or fills.mjs, or whose hair and in which motion, "vita-breeze". */
 export async function requestNamed(name) {
-  if (name in kShapes) return JSON.stringify(kShapes[name]);
+  const written = kShapes[name] ?? kFills[name];
+  if (written) return JSON.stringify(written);
   const [whose, motion] = name.split("-");
   if (whose in kStrokes) return convert("strokes_to_hairstyle.py", [path(`tests/data/strokes/vroid_${kStrokes[whose]}.strokes.json`)], motion);
   if (whose !== "ponytail") throw new Error(`no request is called ${name}`);

@@ -15,7 +15,7 @@ async function fetchHair(name) {
 /**
  * The hair of a request by its name. The same name with other paint is asked for once.
  * @param paint  tones, shine, band, roundness, line, pixels; see toonMaterial and outlineMaterial
- * @return  group; schedule, null where the hair is still; showPicture(j); material and line, the paint
+ * @return  group; tufts, their number; schedule, null where the hair is still; showPicture(j); material and line, the paint
  */
 export async function loadHair(name, paint) {
   if (!answers.has(name)) answers.set(name, fetchHair(name));
@@ -35,5 +35,5 @@ export async function loadHair(name, paint) {
   for (const clip of gltf.animations) mixer.clipAction(clip).play();
   const showPicture = (picture) => schedule && mixer.setTime((schedule.starts[picture] + 0.5) / schedule.fps);
   showPicture(0);
-  return { group: gltf.scene, schedule, showPicture, material, line };
+  return { group: gltf.scene, tufts: meshes.length, schedule, showPicture, material, line };
 }
