@@ -56,6 +56,19 @@ std::optional<FrameRate> as_frame_rate(std::string_view text) {
                      *denominator / divisor};  // lowest terms, so that a recipe reads back to itself
 }
 
+std::optional<double> as_whole_number(const json& value, const Place& place, Range range, FieldProblems& problems) {
+    const std::optional<double> number = as_number(value);
+    if (!number || *number != std::trunc(*number)) {
+        problems.add({ProblemCode::kWrongType, place.pointer(), echo(value), "a whole number", {}, {}});
+        return {};
+    }
+    if (const Check wrong = check_range(*number, range, "")) {
+        problems.add(to_field_problem(*wrong, place.pointer()));
+        return {};
+    }
+    return number;
+}
+
 }  // namespace
 
 std::string Place::pointer() const {
@@ -117,20 +130,7 @@ void Fields::number(std::string_view name, std::optional<double>& into) {
 std::optional<double> Fields::whole_number(std::string_view name, Range range) {
     const json* value = find(name);
     if (value == nullptr) return {};
-    return whole_number(*value, Place(place_, name), range);
-}
-
-std::optional<double> Fields::whole_number(const json& value, const Place& place, Range range) {
-    const std::optional<double> number = as_number(value);
-    if (!number || *number != std::trunc(*number)) {
-        problems_.add({ProblemCode::kWrongType, place.pointer(), echo(value), "a whole number", {}, {}});
-        return {};
-    }
-    if (const Check wrong = check_range(*number, range, "")) {
-        problems_.add(to_field_problem(*wrong, place.pointer()));
-        return {};
-    }
-    return number;
+    return as_whole_number(*value, Place(place_, name), range, problems_);
 }
 
 void Fields::integer(std::string_view name, Range range, int& into) {
@@ -256,24 +256,22 @@ void Fields::rotations(std::string_view name, std::size_t most, std::vector<Quat
     });
 }
 
-/// Calls read(item, place) for the items of a flat list of triples.
-template <class Read>
-void Fields::triples(std::string_view name, std::size_t most, Read read) {
+bool Fields::has_triples(std::string_view name) {
     const json* value = find(name);
-    if (value == nullptr) return;
-    if (value->is_array() && value->size() % 3 != 0)
-        return problems_.add({ProblemCode::kWrongType,
-                              Place(place_, name).pointer(),
-                              static_cast<double>(value->size()),
-                              "a list whose length is a multiple of 3",
-                              {},
-                              {}});
-    items(name, 3 * most, read);
+    if (value == nullptr || !value->is_array() || value->size() % 3 == 0) return true;  // for items() to refuse
+    problems_.add({ProblemCode::kWrongType,
+                   Place(place_, name).pointer(),
+                   static_cast<double>(value->size()),
+                   "a list whose length is a multiple of 3",
+                   {},
+                   {}});
+    return false;
 }
 
 void Fields::flat_vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into) {
+    if (!has_triples(name)) return;
     std::vector<double> numbers;
-    triples(name, most, [&](const json& item, const Place& place) {
+    items(name, 3 * most, [&](const json& item, const Place& place) {
         const std::optional<double> number = as_number(item);
         if (!number) return problems_.add({ProblemCode::kWrongType, place.pointer(), echo(item), "a number", {}, {}});
         numbers.push_back(*number);
@@ -284,9 +282,10 @@ void Fields::flat_vectors(std::string_view name, std::size_t most, std::vector<V
 
 void Fields::flat_triples(std::string_view name, std::size_t most, Range range,
                           std::vector<std::array<std::uint32_t, 3>>& into) {
+    if (!has_triples(name)) return;
     std::vector<std::uint32_t> numbers;
-    triples(name, most, [&](const json& item, const Place& place) {
-        if (const auto number = whole_number(item, place, range))
+    items(name, 3 * most, [&](const json& item, const Place& place) {
+        if (const auto number = as_whole_number(item, place, range, problems_))
             numbers.push_back(static_cast<std::uint32_t>(*number));
     });
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)

@@ -135,9 +135,7 @@ class Fields {
     const nlohmann::json* find(std::string_view name);
     bool is_null(std::string_view name);
     std::optional<double> whole_number(std::string_view name, Range range);
-    std::optional<double> whole_number(const nlohmann::json& value, const Place& place, Range range);
-    template <class Read>
-    void triples(std::string_view name, std::size_t most, Read read);
+    bool has_triples(std::string_view name);
     void refuse_type(std::string_view name, const nlohmann::json& value, const std::string& wanted);
     void refuse_choice(std::string_view name, const nlohmann::json& value, const std::string& words);
     template <std::size_t width>
