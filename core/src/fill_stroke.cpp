@@ -35,7 +35,7 @@ StrokesBetween::StrokesBetween(std::span<const Vec3> from, std::span<const Vec3>
 }
 
 StrokesBetween::Step StrokesBetween::step_between(const Vec3& from, const Vec3& to, const Gap& gap,
-                                                  const Vec3& to_root) const {
+                                                  const Vec3& to_root) {
     Bearing a = bearing_of(from), b = bearing_of(to);
     const double to_azimuth = is_vertical(to_root) ? gap.azimuth : bearing_of(to_root).azimuth;
     const bool has_a = !is_vertical(from), has_b = !is_vertical(to);

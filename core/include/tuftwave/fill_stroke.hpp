@@ -39,7 +39,7 @@ class StrokesBetween {
         Change azimuth, elevation, length;
     };
 
-    Step step_between(const Vec3& from, const Vec3& to, const Gap& gap, const Vec3& to_root) const;
+    static Step step_between(const Vec3& from, const Vec3& to, const Gap& gap, const Vec3& to_root);
 
     std::vector<Step> steps_;
 };
