@@ -21,8 +21,8 @@ constexpr double kTolerance = 1e-4;
 /// A stroke shorter than this share of the distance from the center is none: a hundredth of a millimetre on a head.
 constexpr double kShortestStroke = 1e-4;
 
-/// Most strokes that can be mended take one to four.
-constexpr int kMostBends = 12;
+/// Most strokes that can be mended take one to four bends; one that leaves its root too flat takes up to twenty.
+constexpr int kMostBends = 24;
 
 /// A point near the deepest place moves by at most this many times the depth there.
 constexpr double kMostReach = 10;

@@ -123,7 +123,10 @@ class Filler {
         for (const double tilt : kTilts) {
             Stroke stroke{turned_stroke(placement, tilt), Fate::kUntouched};
             put_on_scalp(stroke, wanted_clearance(placement.parent));
-            if (stroke.fate == Fate::kInside) continue;
+            if (stroke.fate == Fate::kInside) {
+                if (placement.turn.elevation == 0) break;  // there is nothing to turn less
+                continue;
+            }
             if (tilt != 1 && stroke.fate == Fate::kUntouched) stroke.fate = Fate::kMovedOut;
             return stroke;
         }

@@ -26,11 +26,12 @@ Result<FillPlan> plan_one(const Hairstyle& hairstyle, std::size_t i, const Limit
     return plan;
 }
 
-Result<std::vector<FillPlan>> plan_all(const Hairstyle& hairstyle, const Limits& limits) {
+Result<std::vector<FillPlan>> plan_all(const Hairstyle& hairstyle, const Limits& limits, const std::stop_token& stop) {
     std::size_t tufts = hairstyle.tufts.size(), points = 0;
     for (const Tuft& tuft : hairstyle.tufts) points += tuft.points.size();
     std::vector<FillPlan> plans;
     for (std::size_t i = 0; i < hairstyle.fills.size(); ++i) {
+        if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "", {}, "", {}, {}};
         Result<FillPlan> plan = plan_one(hairstyle, i, limits);
         if (!plan) return plan.error();
         tufts += plan->tuft_count();
@@ -50,14 +51,13 @@ Result<std::vector<Filled>> fill_hairstyle(const Hairstyle& hairstyle, const Lim
                                            const std::stop_token& stop) {
     if (Check wrong = check_count(hairstyle.fills.size(), 0, limits.fills, "/fills")) return *wrong;
     if (hairstyle.fills.empty()) return std::vector<Filled>();
-    const Result<std::vector<FillPlan>> plans = plan_all(hairstyle, limits);
+    const Result<std::vector<FillPlan>> plans = plan_all(hairstyle, limits, stop);
     if (!plans) return plans.error();
-    const Result<std::optional<Scalp>> scalp = Scalp::of(hairstyle.head);
-    if (!scalp) return within("/head", scalp.error());
+    const std::optional<Scalp> scalp = Scalp::of(hairstyle.head);
 
     std::vector<Filled> fills;
     for (const FillPlan& plan : *plans) {
-        Result<Filled> filled = make_fill(plan, hairstyle.head, *scalp ? &**scalp : nullptr, limits, for_each, stop);
+        Result<Filled> filled = make_fill(plan, hairstyle.head, scalp ? &*scalp : nullptr, limits, for_each, stop);
         if (!filled) return at_drawn_tuft(filled.error(), hairstyle.fills[fills.size()], "");
         fills.push_back(std::move(filled).value());
     }

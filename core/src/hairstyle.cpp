@@ -14,7 +14,16 @@ constexpr std::size_t kTuftsAtOnce = 64;
 
 const Error kCancelled{ErrorCode::kCancelled, "", {}, "", {}, {}};
 
-std::string place_of_tuft(std::size_t i) { return "/tufts/" + std::to_string(i); }
+/// What is wrong with a tuft at the place that the request has for it: its own, or that of the fill it comes from.
+/// @param tuft  counted over the drawn and the filled ones
+Error at_tuft(const Hairstyle& hairstyle, const HairPlan& plan, std::size_t tuft, Error error) {
+    std::size_t next = hairstyle.tufts.size();
+    if (tuft < next) return within("/tufts/" + std::to_string(tuft), std::move(error));
+    std::size_t fill = 0;
+    while (fill + 1 < plan.fills.size() && tuft >= (next += plan.fills[fill].tuft_count())) ++fill;
+    error.field = "/fills/" + std::to_string(fill);
+    return error;
+}
 
 /// All tufts of a hairstyle, the drawn ones first.
 using Tufts = std::vector<const Tuft*>;
@@ -65,7 +74,7 @@ Check plan_some_tufts(const Hairstyle& hairstyle, const Tufts& tufts, std::size_
         const std::size_t i = from + job;
         Result<PlannedTuft> planned = plan_tuft(*tufts[i], hairstyle.head, hairstyle.mesh, limits);
         if (!planned) {
-            wrong[job] = within(place_of_tuft(i), planned.error());
+            wrong[job] = at_tuft(hairstyle, plan, i, planned.error());
             return;
         }
         plan.tufts[i] = std::move(planned->mesh);
@@ -93,14 +102,21 @@ Check plan_tufts(const Hairstyle& hairstyle, const Tufts& tufts, const Limits& l
     return {};
 }
 
+/// @param error  of move_chains, whose chains are the plan's tufts
+Error at_chain(const Hairstyle& hairstyle, const HairPlan& plan, Error error) {
+    const std::string chains = "/chains/";
+    if (error.field == "/chains") error.field = "/tufts";
+    if (!error.field.starts_with(chains)) return error;
+    const std::size_t end = std::min(error.field.find('/', chains.size()), error.field.size());
+    const std::size_t tuft = std::stoul(error.field.substr(chains.size(), end - chains.size()));
+    error.field.erase(0, end);
+    return at_tuft(hairstyle, plan, tuft, std::move(error));
+}
+
 Result<HairMotion> plan_motion(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
-                               const std::stop_token& stop, const std::vector<Chain>& chains, Schedule schedule) {
-    auto moved = move_chains(chains, *hairstyle.motion, schedule, limits, for_each, stop);
-    if (!moved) {
-        Error error = moved.error();
-        if (error.field.starts_with("/chains")) error.field.replace(0, std::string("/chains").size(), "/tufts");
-        return error;
-    }
+                               const std::stop_token& stop, const HairPlan& plan, Schedule schedule) {
+    auto moved = move_chains(plan.chains, *hairstyle.motion, schedule, limits, for_each, stop);
+    if (!moved) return at_chain(hairstyle, plan, moved.error());
     return HairMotion{std::move(schedule), std::move(moved).value()};
 }
 
@@ -133,7 +149,7 @@ Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits
     if (Check wrong = check_given_rings(tufts.size(), hairstyle.mesh, limits)) return *wrong;
     if (Check wrong = plan_tufts(hairstyle, tufts, limits, for_each, stop, plan)) return *wrong;
     if (schedule) {
-        Result<HairMotion> moved = plan_motion(hairstyle, limits, for_each, stop, plan.chains, std::move(*schedule));
+        Result<HairMotion> moved = plan_motion(hairstyle, limits, for_each, stop, plan, std::move(*schedule));
         if (!moved) return moved.error();
         plan.motion = std::move(moved).value();
     }

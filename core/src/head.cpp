@@ -20,6 +20,15 @@ double wrapped(double angle) {
     return angle - 2 * kPi * turns;
 }
 
+Check check_center_inside(const Head& head) {
+    const auto* ellipsoid = std::get_if<ScalpEllipsoid>(&head.scalp);
+    if (ellipsoid == nullptr || !ellipsoid->center) return {};
+    const Vec3 middle = HeadFrame(head).to_head(*ellipsoid->center);
+    const Vec3& radii = ellipsoid->radii;  // width, height, depth
+    if (length({middle.x / radii.x, middle.z / radii.y, middle.y / radii.z}) < 1) return {};
+    return Error{ErrorCode::kDegenerate, "/scalp/ellipsoid", {}, "an ellipsoid with head.center inside", {}, {}};
+}
+
 }  // namespace
 
 Check check_head(const Head& head, const Limits& limits) {
@@ -30,7 +39,7 @@ Check check_head(const Head& head, const Limits& limits) {
     if (Check wrong = check_range(head.root_depth, limits.root_depth, "/root_depth")) return wrong;
     if (Check wrong = check_range(head.diameter_at_100, limits.diameter_at_100, "/diameter_at_100")) return wrong;
     if (Check wrong = check_scalp_shape(head.scalp, limits)) return within("/scalp", *wrong);
-    return {};
+    return check_center_inside(head);
 }
 
 Vec3 sunk_root(const Head& head, const Vec3& root) {

@@ -18,17 +18,12 @@ double distance_out(const Vec3& from, const Vec3& direction) {
 
 }  // namespace
 
-Result<std::optional<Scalp>> Scalp::of(const Head& head) {
+std::optional<Scalp> Scalp::of(const Head& head) {
     const HeadFrame frame(head);
     if (const auto* shape = std::get_if<ScalpEllipsoid>(&head.scalp)) {
         // The paper's frame has depth second and height third.
-        const Ellipsoid ellipsoid{frame.to_head(shape->center.value_or(head.center)),
-                                  {shape->radii.x, shape->radii.z, shape->radii.y}};
-        const double outside = length(divided(ellipsoid.center, ellipsoid.radii));
-        if (!(outside < 1))
-            return Error{
-                ErrorCode::kDegenerate, "/scalp/ellipsoid", {}, "an ellipsoid with head.center inside", {}, {}};
-        return std::optional(Scalp(ellipsoid));
+        return Scalp(Ellipsoid{frame.to_head(shape->center.value_or(head.center)),
+                               {shape->radii.x, shape->radii.z, shape->radii.y}});
     }
     if (const auto* shape = std::get_if<ScalpMesh>(&head.scalp)) {
         std::vector<Vec3> positions;
@@ -37,9 +32,9 @@ Result<std::optional<Scalp>> Scalp::of(const Head& head) {
         std::vector<std::array<Vec3, 3>> triangles;
         triangles.reserve(shape->triangles.size());
         for (const auto& [a, b, c] : shape->triangles) triangles.push_back({positions[a], positions[b], positions[c]});
-        return std::optional(Scalp(TriangleTree(std::move(triangles))));
+        return Scalp(TriangleTree(std::move(triangles)));
     }
-    return std::optional<Scalp>();
+    return {};
 }
 
 std::optional<double> Scalp::distance_towards(const Vec3& direction) const {

@@ -62,10 +62,9 @@ Result<Filled> fill(const FillRequest& request, const Context& context) {
     const Result<FillPlan> plan =
         plan_fill(request.from, request.to ? &*request.to : nullptr, request.settings, head, context.limits);
     if (!plan) return within("/fill", plan.error());
-    const Result<std::optional<Scalp>> scalp = Scalp::of(head);
-    if (!scalp) return within("/head", scalp.error());
+    const std::optional<Scalp> scalp = Scalp::of(head);
     Result<Filled> filled =
-        make_fill(*plan, head, *scalp ? &**scalp : nullptr, context.limits, context.for_each, context.stop);
+        make_fill(*plan, head, scalp ? &*scalp : nullptr, context.limits, context.for_each, context.stop);
     if (!filled) return within("/fill", filled.error());
     return filled;
 }
@@ -79,6 +78,12 @@ std::string answer_json(const Filled& filled) {
         .dump();
 }
 
+/// What is wrong with filled tufts, which the request does not hold, is wrong with the fill.
+Error at_fill(Error error) {
+    if (error.field.starts_with("/tufts")) error.field = "/fill";
+    return error;
+}
+
 Answer answer_file(HairRequest hair, Filled filled, Format format, const Context& context) {
     if (filled.tufts.empty())
         return fields_problem({{ProblemCode::kTooFew,
@@ -89,7 +94,7 @@ Answer answer_file(HairRequest hair, Filled filled, Format format, const Context
                                 {}}});
     hair.hairstyle.tufts = std::move(filled.tufts);
     const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
-    if (!plan) return to_problem(plan.error());
+    if (!plan) return to_problem(at_fill(plan.error()));
     return formatted(format, hair_bytes(hair, *plan, format, context), "fill", nullptr);
 }
 

@@ -49,6 +49,7 @@ void read_fill(const nlohmann::json& value, const Place& place, FieldProblems& p
     fields.choice("formulas", kFormulas, formulas);
     fill.settings.formulas = formulas.value_or(hairstyle.formulas);
     fields.done();
+    if (!problems.empty()) return;  // a name that was not read would be missed, too
     if (from) fill.from = find_tuft(hairstyle.tufts, *from, place.pointer() + "/from", problems).value_or(0);
     if (to) fill.to = find_tuft(hairstyle.tufts, *to, place.pointer() + "/to", problems);
 }

@@ -10,10 +10,10 @@ namespace {
 
 nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
     nlohmann::ordered_json extras{{"version", kVersion}, {"hairstyle", hairstyle_json(hair.hairstyle, hair.look)}};
-    if (plan.motion) {
-        extras["schedule"] = schedule_json(plan.motion->schedule);
-        extras["warnings"] = warnings_json(&plan.motion->schedule, plan.fills);
-    }
+    const Schedule* schedule = plan.motion ? &plan.motion->schedule : nullptr;
+    const nlohmann::ordered_json warnings = warnings_json(schedule, plan.fills);
+    if (schedule != nullptr) extras["schedule"] = schedule_json(*schedule);
+    if (schedule != nullptr || !warnings.empty()) extras["warnings"] = warnings;
     return {{"tuftwave", std::move(extras)}};
 }
 

@@ -238,11 +238,13 @@ Json warnings_json(const Schedule* schedule, std::span<const FillReport> fills) 
     }
     for (std::size_t i = 0; i < fills.size(); ++i) {
         const FillReport& fill = fills[i];
-        if (fill.along + fill.crown + fill.neck > 0) continue;
-        warnings.push_back({{"code", "empty_fill"},
-                            {"detail", "Fill " + std::to_string(i + 1) + " adds no tuft: its gap is " +
-                                           to_text(short_number(fill.gap.distance)) +
-                                           " m wide; more density or tufts_per_meter would."}});
+        if (fill.tuft_count() > 0) continue;
+        const bool is_removed = fill.beyond_hairline + fill.crowded + fill.off_scalp + fill.inside > 0;
+        const std::string why = is_removed ? "all of them were left out, see removed."
+                                           : "its gap is " + to_text(short_number(fill.gap.distance)) +
+                                                 " m wide; more density or tufts_per_meter would.";
+        warnings.push_back(
+            {{"code", "empty_fill"}, {"detail", "Fill " + std::to_string(i + 1) + " adds no tuft: " + why}});
     }
     return warnings;
 }

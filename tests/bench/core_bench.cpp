@@ -76,7 +76,7 @@ void fill_a_ring(benchmark::State& state, const ScalpShape& shape) {
     settings.tufts_per_meter = 1000;
     settings.jitter_seed = 1;
     const Scalp* scalp = nullptr;
-    const auto made = *Scalp::of(head);
+    const std::optional<Scalp> made = Scalp::of(head);
     if (made) scalp = &*made;
     std::size_t tufts = 0;
     for (auto _ : state) {

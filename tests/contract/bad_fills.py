@@ -155,6 +155,7 @@ FILLS = [
     Row("formulas stand in fill", {"/formulas": "as_printed"}, "unknown_field", "/formulas"),
     Row("no sheet of still hair", {}, "not_a_choice", "?format", "?format=xdts"),
     Row("an unknown query", {}, "unknown_field", "?seed", "?seed=1"),
+    Row("more joints than a file may have", {"/fill": {"from": {**SMALL_TUFT, "joints": 64}, "tufts_per_meter": 5000}}, "too_many", "/fill", "?format=glb"),
 ]
 
 

@@ -23,6 +23,7 @@ HEAD = [
     Row("up has next to no length", {"/head/up": [0, 1e-10, 0]}, "degenerate", "/head/up"),
     Row("front has no length", {"/head/front": [0, 0, 0]}, "degenerate", "/head/front"),
     Row("front is parallel to up", {"/head/up": [0, 2, 0], "/head/front": [0, -3, 0]}, "degenerate", "/head/front"),
+    Row("a scalp is around something else", {"/head/scalp": {"ellipsoid": {"radii": [0.1, 0.1, 0.1], "center": [0, 1, 0]}}}, "degenerate", "/head/scalp/ellipsoid"),
     *outside("/head/root_depth", 0, 10),
     *outside("/head/diameter_at_100", 1e-6, 1000),
     *scalp("/head/scalp"),

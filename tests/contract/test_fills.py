@@ -312,7 +312,13 @@ class Fills(ServiceTest):
                 body = {"tufts": drawn_tufts(asked), "fills": [hairstyle_fill(asked)], "motion": {}}
                 report = self.hair("json", body).json()
                 self.assertEqual((report["totals"]["tufts"], [warning["code"] for warning in report["warnings"]]), (2, ["empty_fill"]))
-                self.assertEqual(glb_parts(self.hair("glb", body).body)[0]["asset"]["extras"]["tuftwave"]["warnings"], report["warnings"])
+                for moving in (body, {**body, "motion": None}):
+                    self.assertEqual(glb_parts(self.hair("glb", moving).body)[0]["asset"]["extras"]["tuftwave"]["warnings"], report["warnings"])
+
+    def test_a_fill_whose_tufts_are_all_left_out_says_that_and_not_to_fill_more(self) -> None:
+        answer = self.fill(case(head={"scalp": {"mesh": {"positions": [0.1] * 9, "triangles": [0, 1, 2]}}}))
+        self.assertEqual((answer["tufts"], answer["report"]["removed"]["off_scalp"]), ([], answer["report"]["along"]))
+        self.assertEqual(answer["warnings"], [{"code": "empty_fill", "detail": "Fill 1 adds no tuft: all of them were left out, see removed."}])
 
     def test_half_gaps_are_the_same_from_both_sides(self) -> None:
         asked = case(spacing="half_gap")

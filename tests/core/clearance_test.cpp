@@ -17,7 +17,7 @@ using Points = std::vector<Vec3>;
 Scalp ball() {
     Head head;
     head.scalp = ScalpEllipsoid{{}, {0.1, 0.1, 0.1}};
-    return **Scalp::of(head);
+    return *Scalp::of(head);
 }
 
 const Clearance kEverywhere(kClearanceShares + 1, true);
@@ -61,6 +61,16 @@ TEST(BendOutwards, BringsALineOutThatCutsThroughTheHead) {
         EXPECT_EQ(stroke.front(), drawn.front());
         EXPECT_EQ(stroke.size(), drawn.size());
     }
+}
+
+TEST(BendOutwards, RaisesAStrokeThatLeavesItsRootTooFlat) {
+    // Drawn a centimetre above the scalp and put on it: the straight line dips 3 mm, and its tip has to come out far.
+    const Points drawn{{0, -0.05, 0.1}, {0, -0.1, 0.05}};
+    Points stroke;
+    for (const Vec3& point : drawn) stroke.push_back(point - 0.106 * length(drawn[0]) * normalized(drawn[0]));
+    stroke[0] = 0.1 * normalized(drawn[0]);
+    EXPECT_EQ(bend_outwards(stroke, clearance_of(drawn, ball(), 0.01), ball(), 0.01), Bend::kBent);
+    EXPECT_LT(deepest({stroke.begin(), stroke.end()}), 2e-4);
 }
 
 TEST(BendOutwards, MovesAllThatHangsFromTheBendAlike) {

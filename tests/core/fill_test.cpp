@@ -49,7 +49,7 @@ Filled filled(const Tuft& from, const Tuft* to, const FillSettings& settings, co
     const Result<FillPlan> plan = plan_fill(from, to, settings, head, {});
     EXPECT_TRUE(plan) << plan.error().field;
     const auto scalp = Scalp::of(head);
-    return *make_fill(*plan, head, *scalp ? &**scalp : nullptr, {}, InOrder{}, {});
+    return *make_fill(*plan, head, scalp ? &*scalp : nullptr, {}, InOrder{}, {});
 }
 
 Filled filled(const Tuft& from, const Tuft& to, const FillSettings& settings, const Head& head = {}) {
@@ -264,7 +264,7 @@ TEST(Fill, IsTheSameForAnyOrderOfWork) {
     settings.jitter_seed = 5;
     settings.min_gap = 0.5;
     const auto plan = *plan_fill(side_lock(), nullptr, settings, head, {});
-    const Scalp scalp = **Scalp::of(head);
+    const Scalp scalp = *Scalp::of(head);
     const Filled in_order = *make_fill(plan, head, &scalp, {}, InOrder{}, {});
     const auto is_same = [&](const ForEach& for_each) {
         const Filled other = *make_fill(plan, head, &scalp, {}, for_each, {});

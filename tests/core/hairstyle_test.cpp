@@ -299,6 +299,12 @@ TEST(HairstyleFills, AreRefusedAtTheirPlace) {
     }
 }
 
+TEST(HairstyleFills, WithATuftThatCannotMoveNameTheDrawnOne) {
+    Hairstyle hairstyle = filled_hair();
+    hairstyle.tufts[3].cycles = 5;  // of six pictures
+    EXPECT_TRUE(is_refused(planned(hairstyle), ErrorCode::kConflict, "/tufts/3/cycles"));
+}
+
 TEST(HairstyleFills, CountWithTheDrawnTuftsAndSayHowManyWouldHaveCome) {
     const Hairstyle hairstyle = filled_hair();
     const std::size_t all = planned(hairstyle)->chains.size();

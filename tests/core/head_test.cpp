@@ -43,6 +43,16 @@ TEST(CheckHead, RefusesWithCodeAndField) {
          ErrorCode::kDegenerate, "/front"},
         {"negative depth", [](Head& h) { h.root_depth = -0.01; }, ErrorCode::kOutOfRange, "/root_depth"},
         {"depth not a number", [](Head& h) { h.root_depth = kNaN; }, ErrorCode::kNotFinite, "/root_depth"},
+        {"scalp without width",
+         [](Head& h) {
+             h.scalp = ScalpEllipsoid{{}, {0, 0.1, 0.1}};
+         },
+         ErrorCode::kOutOfRange, "/scalp/ellipsoid/radii/0"},
+        {"scalp around something else",
+         [](Head& h) {
+             h.scalp = ScalpEllipsoid{Vec3{0, 0.15, 0}, {1, 0.1, 1}};
+         },
+         ErrorCode::kDegenerate, "/scalp/ellipsoid"},
         {"no diameter", [](Head& h) { h.diameter_at_100 = 0; }, ErrorCode::kOutOfRange, "/diameter_at_100"},
     };
     for (const auto& wrong : cases) {

@@ -155,7 +155,7 @@ TEST_P(RingsOnAHead, HaveTheirRootsOnItAndTheirLinesOutsideOfIt) {
     // doubt.
     constexpr double kAnywhere = -1, kAtAnEdge = 2.5e-3;  // metres
     const double well_above = GetParam() == std::string("skin") ? 0.03 : -0.06, between_places = 5e-4;
-    const Scalp scalp = **Scalp::of(head_);
+    const Scalp scalp = *Scalp::of(head_);
     FillSettings settings;
     settings.density = {60.0, 60.0, 70.0};
     std::size_t tufts = 0, moved_out = 0, inside = 0;

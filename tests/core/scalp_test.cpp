@@ -20,13 +20,9 @@ Head head_with(const ScalpShape& shape) {
     return head;
 }
 
-Scalp scalp_of(const Head& head) { return **Scalp::of(head); }
+Scalp scalp_of(const Head& head) { return *Scalp::of(head); }
 
-TEST(Scalp, OfAHeadWithoutOneIsNone) {
-    const auto scalp = Scalp::of(Head{});
-    ASSERT_TRUE(scalp);
-    EXPECT_FALSE(*scalp);
-}
+TEST(Scalp, OfAHeadWithoutOneIsNone) { EXPECT_FALSE(Scalp::of(Head{})); }
 
 TEST(Scalp, AnEllipsoidHasItsRadiiAlongTheHeadsAxes) {
     const Scalp scalp = scalp_of(head_with(ScalpEllipsoid{{}, {0.08, 0.12, 0.1}}));  // width, height, depth
@@ -46,11 +42,6 @@ TEST(Scalp, EveryDirectionMeetsAnEllipsoidOnItsSurface) {
         const Vec3 at = frame.to_model(*scalp.distance_towards(direction) * direction) - middle;
         EXPECT_NEAR(length({at.x / radii.x, at.y / radii.y, at.z / radii.z}), 1, 1e-14);
     }
-}
-
-TEST(Scalp, AnEllipsoidAroundSomethingElseIsRefused) {
-    const Head head = head_with(ScalpEllipsoid{Vec3{0.5, 1.7, -0.2}, {0.1, 0.1, 0.1}});
-    EXPECT_TRUE(test::is_refused(Scalp::of(head), ErrorCode::kDegenerate, "/scalp/ellipsoid"));
 }
 
 TEST(Scalp, AFineMeshOfASphereIsNearlyTheSphere) {

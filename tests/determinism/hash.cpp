@@ -230,7 +230,7 @@ void add_fill(Hash& hash, const Filled& filled) {
 /// Fills between 25 pairs of tufts, or around the head from the first of each.
 void print_fills(const std::string& what, const Head& head, const FillSettings& settings, bool is_ring) {
     Numbers numbers(19);
-    const Result<std::optional<Scalp>> scalp = Scalp::of(head);
+    const std::optional<Scalp> scalp = Scalp::of(head);
     Hash hash;
     std::size_t tufts = 0;
     for (int i = 0; i < 25 && scalp; ++i) {
@@ -240,7 +240,7 @@ void print_fills(const std::string& what, const Head& head, const FillSettings& 
             std::printf("%-32s refused at %s\n", what.c_str(), plan.error().field.c_str());
             return;
         }
-        const Result<Filled> filled = make_fill(*plan, head, *scalp ? &**scalp : nullptr, {}, InOrder(), {});
+        const Result<Filled> filled = make_fill(*plan, head, scalp ? &*scalp : nullptr, {}, InOrder(), {});
         add_fill(hash, *filled);
         tufts += filled->tufts.size();
     }

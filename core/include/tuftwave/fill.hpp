@@ -54,6 +54,8 @@ struct FillReport {
     std::size_t inside = 0;                      ///< tufts dropped since they would run through the head
     std::size_t moved_out = 0;                   ///< tufts bent or turned outwards to stay out of the scalp
     std::array<bool, 2> is_resampled{};          ///< the first and the second stroke
+
+    std::size_t tuft_count() const { return along + crown + neck; }
 };
 
 struct Filled {

@@ -17,8 +17,8 @@ struct Head {
     ScalpShape scalp;              ///< what filled tufts are put on
 };
 
-/// @errors  not_finite, out_of_range, degenerate (up zero; front zero or parallel to up), those of check_scalp_shape
-///          below "/scalp"
+/// @errors  not_finite, out_of_range, degenerate (up zero; front zero or parallel to up; the center outside of an
+///          ellipsoid), those of check_scalp_shape below "/scalp"
 Check check_head(const Head& head, const Limits& limits);
 
 /// P_0: the point under the scalp where a tuft with its first drawn point at `root` really begins.

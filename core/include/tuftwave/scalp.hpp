@@ -6,7 +6,6 @@
 
 #include "tuftwave/head.hpp"
 #include "tuftwave/math.hpp"
-#include "tuftwave/result.hpp"
 #include "tuftwave/triangle_tree.hpp"
 
 namespace tuftwave {
@@ -17,8 +16,7 @@ class Scalp {
     /// The head's scalp.
     /// @param head  checked
     /// @return  nothing for a head without one
-    /// @errors  degenerate (the head's center outside of the ellipsoid)
-    static Result<std::optional<Scalp>> of(const Head& head);
+    static std::optional<Scalp> of(const Head& head);
 
     /// How far from the head's center the scalp lies, where a ray last meets it.
     /// @param direction  unit, in the head's frame
