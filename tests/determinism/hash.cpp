@@ -233,7 +233,7 @@ void print_fills(const std::string& what, const Head& head, const FillSettings& 
     const std::optional<Scalp> scalp = Scalp::of(head);
     Hash hash;
     std::size_t tufts = 0;
-    for (int i = 0; i < 25 && scalp; ++i) {
+    for (int i = 0; i < 25; ++i) {
         const Tuft from = wandering_tuft(numbers, 0.03), to = wandering_tuft(numbers, 0.03);
         const Result<FillPlan> plan = plan_fill(from, is_ring ? nullptr : &to, settings, head, Limits{});
         if (!plan) {
