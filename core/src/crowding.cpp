@@ -1,5 +1,6 @@
 #include "crowding.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tuftwave {

@@ -36,8 +36,7 @@ struct FillPlan {
 /// Works out a fill between two tufts.
 /// @param to    null for a ring around the head
 /// @param head  checked
-/// @errors  those of check_tuft below "/from" and "/to", of check_fill_settings, of measure_gap; too_many (tufts in
-/// all,
+/// @errors  those of check_tuft below "/from" and "/to", of check_fill_settings, of measure_gap; too_many (all tufts,
 ///          with their number; points), conflict or undefined_as_printed ("/to/points": unequal numbers of points that
 ///          are not to be resampled)
 /// Cost O(tufts).

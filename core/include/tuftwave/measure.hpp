@@ -26,9 +26,8 @@ struct MotionError {
 };
 
 /// @param lines  the pictures of one chain
-/// @errors  too_few (pictures; nodes, of which there must be 2), too_many, not_finite, out_of_range, conflict (lines
-/// with
-///          unequal numbers of nodes); below "/0" ... for each picture
+/// @errors  too_few (pictures; nodes, of which there must be 2), too_many, not_finite, out_of_range, conflict (unequal
+///          numbers of nodes); below "/0" ... for each picture
 Check check_lines(std::span<const Line> lines, const Limits& limits);
 
 /// Compares a chain's pictures with those it should have.
