@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "api/json_guard.hpp"
+#include "api/read_character.hpp"
 #include "api/reader.hpp"
 #include "api/schedules.hpp"
 #include "assets/assets.hpp"
@@ -119,6 +120,8 @@ constexpr std::array<File, 3> kFiles{{{"swagger-ui.css", "text/css; charset=utf-
 Answer get_limits(const Request&, const Context& context) {
     const JsonLimits json_limits;
     const Json json{{"body_bytes", json_limits.bytes},
+                    {"upload_bytes", kUploadBytes},
+                    {"upload_memory_factor", kUploadMemoryFactor},
                     {"json_depth", json_limits.depth},
                     {"json_values", json_limits.values},
                     {"counts", counts_json(context.limits)},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 namespace tuftwave::server {
 namespace {
@@ -17,22 +16,29 @@ std::string media_type(const std::string& header) {
     return type;
 }
 
-Problem wrong_type(std::string detail) {
-    return {ProblemCode::kUnsupportedMediaType, std::move(detail), {}, {{"Accept", "application/json"}}};
-}
-
 }  // namespace
 
-std::variant<nlohmann::json, Problem> read_body(const Request& request) {
+std::optional<Problem> check_media_type(const Request& request, std::initializer_list<std::string_view> understood) {
+    std::string types;
+    for (const std::string_view type : understood) types += (types.empty() ? "" : ", ") + std::string(type);
     const std::string& encoding = request.header("content-encoding");
     if (!encoding.empty() && encoding != "identity")
-        return wrong_type("Content-Encoding is not understood; send the body as it is.");
-    if (media_type(request.header("content-type")) != "application/json")
-        return wrong_type("Send the body with Content-Type: application/json.");
+        return Problem{ProblemCode::kUnsupportedMediaType,
+                       "Content-Encoding is not understood; send the body as it is.",
+                       {},
+                       {{"Accept", types}}};
+    const std::string type = media_type(request.header("content-type"));
+    if (std::find(understood.begin(), understood.end(), type) != understood.end()) return {};
+    return Problem{
+        ProblemCode::kUnsupportedMediaType, "Send the body with Content-Type: " + types + ".", {}, {{"Accept", types}}};
+}
+
+std::variant<nlohmann::json, Problem> read_body(const Request& request) {
+    if (auto problem = check_media_type(request, {"application/json"})) return *std::move(problem);
     return parse_guarded(request.body, JsonLimits{});
 }
 
-std::optional<Problem> check_query(const Request& request, std::initializer_list<std::string_view> known) {
+std::optional<Problem> check_query(const Request& request, const std::vector<std::string_view>& known) {
     std::vector<std::string_view> seen;
     for (const auto& [name, value] : request.query) {
         if (std::find(seen.begin(), seen.end(), name) != seen.end())

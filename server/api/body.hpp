@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "api/exchange.hpp"
 #include "api/json_guard.hpp"
@@ -12,11 +13,14 @@
 
 namespace tuftwave::server {
 
+/// Refuses a body of another media type than these, or one that is packed. @return  nothing or unsupported_media_type
+std::optional<Problem> check_media_type(const Request& request, std::initializer_list<std::string_view> understood);
+
 /// A request's JSON body.
 /// @return  the document, unsupported_media_type, or what parse_guarded says
 std::variant<nlohmann::json, Problem> read_body(const Request& request);
 
 /// Refuses query parameters that nobody asked for or that come twice. @return  nothing, unknown_field or duplicate_key
-std::optional<Problem> check_query(const Request& request, std::initializer_list<std::string_view> known);
+std::optional<Problem> check_query(const Request& request, const std::vector<std::string_view>& known);
 
 }  // namespace tuftwave::server

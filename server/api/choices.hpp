@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "api/reader.hpp"
+#include "character/found_chains.hpp"
 #include "gltf/hair_file.hpp"
 #include "tuftwave/hairstyle.hpp"
 
@@ -30,6 +31,14 @@ inline constexpr Choices<Droop, 2> kDroops{{{"remove", Droop::kRemove}, {"keep",
 inline constexpr Choices<PhaseStep, 2> kPhaseSteps{{{"free", PhaseStep::kFree}, {"picture", PhaseStep::kPicture}}};
 inline constexpr Choices<gltf::Layout, 2> kLayouts{
     {{"per_tuft", gltf::Layout::kPerTuft}, {"merged", gltf::Layout::kMerged}}};
+
+inline constexpr Choices<character::Kind, 4> kKinds{{{"hair", character::Kind::kHair},
+                                                     {"skirt", character::Kind::kSkirt},
+                                                     {"ribbon", character::Kind::kRibbon},
+                                                     {"unknown", character::Kind::kUnknown}}};
+inline constexpr Choices<character::FoundBy, 3> kFoundBy{{{"vrm1_spring", character::FoundBy::kVrm1Spring},
+                                                          {"vrm0_bone_group", character::FoundBy::kVrm0BoneGroup},
+                                                          {"skin_joints", character::FoundBy::kSkin}}};
 
 template <class Enum, std::size_t count>
 std::string_view word_of(const Choices<Enum, count>& choices, Enum meaning) {

@@ -101,21 +101,30 @@ class Scan {
     std::optional<Problem> problem_;
 };
 
-}  // namespace
-
-std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits) {
+template <class Json>
+std::variant<Json, Problem> parse(std::string_view body, const JsonLimits& limits) {
     if (body.size() > limits.bytes)
-        return refusal(ProblemCode::kTooLarge, "The body has " + std::to_string(body.size()) + " bytes; at most " +
+        return refusal(ProblemCode::kTooLarge, "The JSON has " + std::to_string(body.size()) + " bytes; at most " +
                                                    std::to_string(limits.bytes) + " are allowed.");
     if (std::optional<Problem> problem = Scan(body, limits).run()) return *std::move(problem);
     try {
-        return nlohmann::json::parse(body);
+        return Json::parse(body);
     } catch (const nlohmann::json::parse_error& error) {
         return refusal(ProblemCode::kMalformed,
                        "The JSON is not valid" + at_byte(error.byte == 0 ? 0 : error.byte - 1) + ".");
     } catch (const nlohmann::json::out_of_range&) {
         return refusal(ProblemCode::kMalformed, "A number is too large to be represented.");
     }
+}
+
+}  // namespace
+
+std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits) {
+    return parse<nlohmann::json>(body, limits);
+}
+
+std::variant<nlohmann::ordered_json, Problem> parse_guarded_in_order(std::string_view body, const JsonLimits& limits) {
+    return parse<nlohmann::ordered_json>(body, limits);
 }
 
 }  // namespace tuftwave::server

@@ -22,4 +22,7 @@ struct JsonLimits {
 /// @return  the document, or malformed, duplicate_key, too_deep, too_many_values, too_large
 std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits);
 
+/// The same, and keys keep the order in which they came.
+std::variant<nlohmann::ordered_json, Problem> parse_guarded_in_order(std::string_view body, const JsonLimits& limits);
+
 }  // namespace tuftwave::server

@@ -16,8 +16,8 @@ struct Row {
 };
 
 /// The one table of errors; openapi.yaml lists the same slugs.
-constexpr std::array<Row, 28> kTable{{
-    {ProblemCode::kMalformed, "malformed", 400, "The body is not valid JSON."},
+constexpr std::array<Row, 29> kTable{{
+    {ProblemCode::kMalformed, "malformed", 400, "The body is not well-formed."},
     {ProblemCode::kDuplicateKey, "duplicate_key", 400, "A key occurs twice in one object."},
     {ProblemCode::kTooDeep, "too_deep", 400, "The body is nested too deeply."},
     {ProblemCode::kTooManyValues, "too_many_values", 413, "The body holds too many values."},
@@ -33,6 +33,7 @@ constexpr std::array<Row, 28> kTable{{
     {ProblemCode::kConflict, "conflict", 422, "Two values exclude each other."},
     {ProblemCode::kUndefinedAsPrinted, "undefined_as_printed", 422,
      "The formula as printed in the paper has no result here."},
+    {ProblemCode::kUnsupported, "unsupported", 422, "The file needs something that is not supported."},
     {ProblemCode::kNotFound, "not_found", 404, "There is nothing here."},
     {ProblemCode::kMethodNotAllowed, "method_not_allowed", 405, "This method is not allowed here."},
     {ProblemCode::kNotAcceptable, "not_acceptable", 406, "None of the accepted formats is available."},

@@ -29,6 +29,7 @@ enum class ProblemCode {
     kDegenerate,
     kConflict,
     kUndefinedAsPrinted,
+    kUnsupported,
     kNotFound,
     kMethodNotAllowed,
     kNotAcceptable,

@@ -1,21 +1,28 @@
 #include "api/routes.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "api/about.hpp"
+#include "api/character_chains.hpp"
+#include "api/character_motion.hpp"
 #include "api/fills.hpp"
 #include "api/hair.hpp"
+#include "api/json_guard.hpp"
 #include "api/motions.hpp"
+#include "api/read_character.hpp"
 #include "api/schedules.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<Route, 12> kRoutes{{
+constexpr std::array<Route, 14> kRoutes{{
     {"POST", "/v1/tufts", post_tufts, true},
     {"POST", "/v1/fills", post_fills, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
     {"POST", "/v1/motions", post_motions, true},
+    {"POST", "/v1/characters/chains", post_character_chains, true, true},
+    {"POST", "/v1/characters/motion", post_character_motion, true, true},
     {"GET", "/v1/schedules", get_schedules, false},
     {"POST", "/v1/schedules", post_schedules, true},
     {"GET", "/v1/limits", get_limits, false},
@@ -36,6 +43,11 @@ bool matches(std::string_view pattern, std::string_view path) {
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
+
+std::size_t body_limit(const std::string& path) {
+    const auto takes_file = [&](const Route& route) { return route.takes_file && matches(route.path, path); };
+    return std::ranges::any_of(kRoutes, takes_file) ? kUploadBytes : JsonLimits{}.bytes;
+}
 
 std::string allowed_methods(const std::string& path) {
     std::string allowed;

@@ -1,13 +1,14 @@
 #include "api/schedules.hpp"
 
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "api/body.hpp"
 #include "api/choices.hpp"
 #include "api/formats.hpp"
+#include "api/query_body.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
 #include "sheets/csv.hpp"
@@ -38,26 +39,13 @@ std::variant<ScheduleRequest, Problem> read_request(const nlohmann::json& body, 
     return read;
 }
 
-/// The query as the body it stands for: numbers where they are numbers, else text.
-nlohmann::json query_body(const Request& request) {
-    nlohmann::json body = nlohmann::json::object();
-    for (const auto& [name, value] : request.query) {
-        if (name == "format") continue;
-        const bool is_timing = name != "formulas" && name != "repeat";
-        nlohmann::json& place = is_timing ? body["timing"][name] : body[name];
-        double number = 0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-        const bool is_number = error == std::errc{} && end == value.data() + value.size() && std::isfinite(number);
-        place = is_number ? nlohmann::json(number) : nlohmann::json(value);
-    }
-    return body;
-}
-
-/// A problem found in the body that stands for a query, with the query's names: "/timing/period" is "?period".
-Problem as_query_problem(Problem problem) {
-    for (FieldProblem& field : problem.fields) field.pointer = "?" + field.pointer.substr(field.pointer.rfind('/') + 1);
-    return problem.fields.empty() ? problem : fields_problem(std::move(problem.fields));
-}
+constexpr std::array<QueryField, 7> kQueryFields{{{"period", "/timing/period"},
+                                                  {"fps", "/timing/fps"},
+                                                  {"hold", "/timing/hold"},
+                                                  {"short_holds", "/timing/short_holds"},
+                                                  {"sampling", "/timing/sampling"},
+                                                  {"formulas", "/formulas"},
+                                                  {"repeat", "/repeat"}}};
 
 Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
     auto read = read_request(body, limits);
@@ -111,13 +99,11 @@ Answer post_schedules(const Request& request, const Context& context) {
 }
 
 Answer get_schedules(const Request& request, const Context& context) {
-    if (auto problem =
-            check_query(request, {"format", "period", "fps", "hold", "short_holds", "sampling", "formulas", "repeat"}))
-        return *std::move(problem);
+    if (auto problem = check_query(request, names_of(kQueryFields))) return *std::move(problem);
     auto format = choose_format(request, {Format::kJson, Format::kXdts, Format::kCsv});
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
-    Answer made = answer(query_body(request), std::get<Format>(format), context.limits);
-    if (auto* problem = std::get_if<Problem>(&made)) return as_query_problem(std::move(*problem));
+    Answer made = answer(query_body(request, kQueryFields), std::get<Format>(format), context.limits);
+    if (auto* problem = std::get_if<Problem>(&made)) return as_query_problem(std::move(*problem), kQueryFields);
     return cacheable(std::get<Response>(std::move(made)), request.header("if-none-match"));
 }
 

@@ -13,22 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The shortest decimal that reads back to the same float32: half the digits of a double, and enough for a pose.
-double short_number(double value) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, static_cast<float>(value)).ptr;
-    double shortened = 0;
-    std::from_chars(digits, end, shortened);
-    return shortened;
-}
-
 Json to_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-Json pose_json(const Vec3& v) { return Json::array({short_number(v.x), short_number(v.y), short_number(v.z)}); }
-
-Json pose_json(const Quat& q) {
-    return Json::array({short_number(q.x), short_number(q.y), short_number(q.z), short_number(q.w)});
-}
 
 /// What a decimal can say exactly goes out as a number, whose fraction might have more digits than we read.
 Json fps_json(const FrameRate& fps) {
@@ -144,6 +129,20 @@ Json to_json(const Motion& motion) {
 }
 
 }  // namespace
+
+double short_number(double value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, static_cast<float>(value)).ptr;
+    double shortened = 0;
+    std::from_chars(digits, end, shortened);
+    return shortened;
+}
+
+Json pose_json(const Vec3& v) { return Json::array({short_number(v.x), short_number(v.y), short_number(v.z)}); }
+
+Json pose_json(const Quat& q) {
+    return Json::array({short_number(q.x), short_number(q.y), short_number(q.z), short_number(q.w)});
+}
 
 std::string frame_rate_text(const FrameRate& fps) {
     const std::string numerator = std::to_string(fps.numerator);

@@ -30,6 +30,11 @@ nlohmann::ordered_json quality_json(std::span<const Chain> chains, const Wave& w
 /// What a caller should be told although there is an answer.
 nlohmann::ordered_json warnings_json(const Schedule* schedule, std::span<const FillReport> fills = {});
 
+/// A number of a pose: the shortest decimal that reads back to the same float32.
+double short_number(double value);
+nlohmann::ordered_json pose_json(const Vec3& v);
+nlohmann::ordered_json pose_json(const Quat& q);
+
 /// "24" or "24000/1001".
 std::string frame_rate_text(const FrameRate& fps);
 

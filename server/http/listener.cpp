@@ -226,7 +226,7 @@ class Listener::Server final : public httplib::Server {
         const Framing framing = framing_of(request, from.version == "HTTP/1.0");
         if (!target || framing.fault != 0) return refused(target ? framing.fault : 400);
         const auto source = [](char* to, const std::size_t count) { return this_connection->read(to, count); };
-        Body body = read_body(source, framing, options_.body_limit);
+        Body body = read_body(source, framing, options_.body_limit(target->path));
         if (!body.is_over) this_connection->close_after_this();
         if (const int slow = this_connection->fault(); slow != 0) return refused(slow);
         if (body.fault != 0) return problem_(body.fault);
@@ -243,7 +243,9 @@ class Listener::Server final : public httplib::Server {
     /// Whether a client that asks before it sends a body should not: the status, or 0.
     int early_refusal(const httplib::Request& from) const {
         const Framing framing = framing_of({from.method, "", {}, headers_of(from), ""}, from.version == "HTTP/1.0");
-        return framing.fault != 0 ? framing.fault : framing.length > options_.body_limit ? 413 : 0;
+        const std::optional<Target> target = parse_target(from.target);
+        if (!target || framing.fault != 0) return target ? framing.fault : 400;
+        return framing.length > options_.body_limit(target->path) ? 413 : 0;
     }
 
     /// Gives the library's own errors a body. Ours have one, and with it a type.

@@ -12,9 +12,10 @@ namespace tuftwave::server {
 
 struct ListenerOptions {
     std::string host = "127.0.0.1";
-    int port = 0;                          ///< 0 picks a free one
-    int connections = 64;                  ///< threads, one for each open connection
-    std::size_t body_limit = 1024 * 1024;  ///< bytes of a request's body
+    int port = 0;          ///< 0 picks a free one
+    int connections = 64;  ///< threads, one for each open connection
+    /// The most bytes of the body of a request for a path.
+    std::function<std::size_t(const std::string& path)> body_limit = [](const std::string&) { return 1024 * 1024; };
 };
 
 /// Speaks HTTP/1.1 on one port and hands complete requests on. Every answer of its own (bad framing, a body over the

@@ -12,6 +12,7 @@
 #include <thread>
 #include <variant>
 
+#include "api/routes.hpp"
 #include "exec/pool.hpp"
 #include "http/listener.hpp"
 #include "log/log.hpp"
@@ -107,11 +108,11 @@ int run(const Config& config) {
     Pool pool(worker_count(config), static_cast<std::size_t>(config.queue));
     Service service(config, pool, log);
     Door front(
-        {config.host, config.port, config.connections, Service::body_limit()},
+        {config.host, config.port, config.connections, body_limit},
         [&](const Request& request) { return service.handle(request); },
         [&](int status) { return service.refuse(status); });
     Door admin(
-        {config.admin_host, config.admin_port, kAdminConnections, kAdminBodyBytes},
+        {config.admin_host, config.admin_port, kAdminConnections, [](const std::string&) { return kAdminBodyBytes; }},
         [&](const Request& request) { return service.handle_admin(request); }, Service::admin_problem);
     if (!front.bind() || !admin.bind()) return 1;
     front.open();

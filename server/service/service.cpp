@@ -6,8 +6,6 @@
 #include <new>
 #include <optional>
 
-#include "api/json_guard.hpp"
-
 namespace tuftwave::server {
 namespace {
 
@@ -101,8 +99,6 @@ Service::Service(const Config& config, Pool& pool, Log& log)
       pool_(pool),
       log_(log),
       next_id_(static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count())) {}
-
-std::size_t Service::body_limit() { return JsonLimits{}.bytes; }
 
 Response Service::handle(const Request& request) {
     const auto begin = Clock::now();

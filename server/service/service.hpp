@@ -36,9 +36,6 @@ class Service {
     /// The answer where a request is refused before it is complete, by its framing or by the HTTP library.
     Response refuse(int status);
 
-    /// The largest body that a request may have, bytes.
-    static std::size_t body_limit();
-
   private:
     using Clock = std::chrono::steady_clock;
     /// What the log and the metrics want to know of one request.

@@ -31,10 +31,11 @@ MAY_INCLUDE = {
     "config": {"core"},
     "sheets": {"core"},
     "gltf": {"core", "version"},
-    "api": {"core", "gltf", "sheets", "assets", "version"},
-    "service": {"core", "gltf", "sheets", "assets", "version", "api", "config", "exec", "log"},
-    "http": {"core", "gltf", "sheets", "assets", "version", "api", "config", "exec", "log", "service"},
-    "main": {"core", "gltf", "sheets", "assets", "version", "api", "config", "exec", "log", "service", "http"},
+    "character": {"core", "gltf"},
+    "api": {"core", "gltf", "sheets", "character", "assets", "version"},
+    "service": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log"},
+    "http": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service"},
+    "main": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service", "http"},
 }
 # Libraries by a pattern of their headers, and the layer whose one .cpp may include them.
 ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "tinygltf": (r"/tiny_gltf\.h$", "gltf"), "spdlog": (r"/spdlog/", "log")}

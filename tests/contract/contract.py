@@ -12,6 +12,7 @@ import yaml
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 CONTRACT = os.path.join(ROOT, "api", "openapi.yaml")
 EXAMPLES = os.path.join(ROOT, "api", "examples")
+CHARACTER = os.path.join(ROOT, "tests", "data", "characters", "pmca_sample3.glb")
 METHODS = ("get", "put", "post", "delete", "options", "head", "patch", "trace")
 
 with open(CONTRACT, encoding="utf-8") as file:
@@ -104,12 +105,26 @@ def formats(op: Operation) -> list[str]:
 
 
 def posts() -> list[Operation]:
-    return [op for op in operations() if "requestBody" in op.what]
+    """Operations that take JSON."""
+    return [op for op in operations() if "application/json" in resolve(op.what.get("requestBody", {})).get("content", {})]
+
+
+def uploads() -> list[Operation]:
+    """Operations whose body is a file."""
+    return [op for op in operations() if "model/gltf-binary" in resolve(op.what.get("requestBody", {})).get("content", {})]
 
 
 def example(operation_id: str, rejected: bool = False) -> Any:
     with open(os.path.join(EXAMPLES, "rejected" if rejected else "", f"{operation_id}.json"), encoding="utf-8") as body:
         return json.load(body)
+
+
+def sample(op: Operation) -> tuple[Optional[bytes], dict[str, str]]:
+    """A body that an operation takes, and the headers that go with it."""
+    if op in uploads():
+        with open(CHARACTER, "rb") as file:
+            return file.read(), {"Content-Type": "model/gltf-binary"}
+    return (json.dumps(example(op.what["operationId"])).encode(), {"Content-Type": "application/json"}) if op in posts() else (None, {})
 
 
 def lookup(document: Any, pointer: str) -> Optional[Any]:

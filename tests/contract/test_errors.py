@@ -133,8 +133,8 @@ class MediaTypes(ServiceTest):
         for op in [op for op in contract.operations() if contract.formats(op)]:
             for accept in ("image/png", "application/xml, text/html", "*/*;q=0", "model/gltf-binary;q=0, application/problem+json"):
                 with self.subTest(f"{op.method} {op.path}", accept=accept):
-                    body = contract.example(op.what["operationId"]) if op.method == "POST" else None
-                    answer = self.service.request(op.method, op.path, body, {"Content-Type": "application/json", "Accept": accept})
+                    body, headers = contract.sample(op)
+                    answer = self.service.request(op.method, op.path, body, {**headers, "Accept": accept})
                     self.assert_problem(answer, 406, "not_acceptable")
 
     def test_accept_is_weighed(self) -> None:

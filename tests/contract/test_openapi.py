@@ -105,7 +105,7 @@ class OpenApi(unittest.TestCase):
 def reachable(node: object, found: set[str]) -> set[str]:
     for _, part in contract.walk(node):
         if isinstance(part, dict) and str(part.get("$ref", "")).startswith("#/components/schemas/"):
-            name = part["$ref"].rsplit("/", 1)[1]
+            name = part["$ref"].split("/")[3]
             if name not in found:
                 found.add(name)
                 reachable(contract.DOCUMENT["components"]["schemas"][name], found)

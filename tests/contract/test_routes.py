@@ -29,16 +29,16 @@ class Routes(ServiceTest):
     def test_documented_methods_are_served(self) -> None:
         for op in contract.operations():
             with self.subTest(f"{op.method} {op.path}"):
-                body = contract.example(op.what["operationId"]) if op.method == "POST" else None
-                answer = self.service.request(op.method, target(op.path), body, {"Content-Type": "application/json"} if body else {})
+                body, headers = contract.sample(op)
+                answer = self.service.request(op.method, target(op.path), body, headers)
                 self.assert_ok(answer, next(iter(contract.answer_content(op))))
 
     def test_documented_headers_are_sent(self) -> None:
         for op in contract.operations():
             for name in op.what["responses"]["200"].get("headers", {}):
                 with self.subTest(f"{op.method} {op.path} {name}"):
-                    body = contract.example(op.what["operationId"]) if op.method == "POST" else None
-                    answer = self.service.request(op.method, target(op.path), body, {"Content-Type": "application/json"} if body else {})
+                    body, headers = contract.sample(op)
+                    answer = self.service.request(op.method, target(op.path), body, headers)
                     self.assertTrue(answer.headers.get(name.lower()))
 
     def test_undocumented_methods_are_not_allowed(self) -> None:

@@ -50,7 +50,9 @@ class Served {
     int port() const { return port_; }
     Listener& listener() { return listener_; }
 
-    static ListenerOptions options() { return {"127.0.0.1", 0, 8, kBodyLimit}; }
+    static ListenerOptions options() {
+        return {"127.0.0.1", 0, 8, [](const std::string&) { return kBodyLimit; }};
+    }
 
   private:
     Listener listener_;

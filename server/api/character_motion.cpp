@@ -1,0 +1,205 @@
+#include "api/character_motion.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "api/body.hpp"
+#include "api/choices.hpp"
+#include "api/choose_chains.hpp"
+#include "api/formats.hpp"
+#include "api/query_body.hpp"
+#include "api/read_character.hpp"
+#include "api/read_nouns.hpp"
+#include "api/write_character.hpp"
+#include "api/write_nouns.hpp"
+#include "character/clip.hpp"
+#include "character/springs.hpp"
+#include "sheets/csv.hpp"
+#include "sheets/xdts.hpp"
+#include "tuftwave/motion.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Springs { kKeep, kRemove };
+
+constexpr Choices<Springs, 2> kSpringChoices{{{"keep", Springs::kKeep}, {"remove", Springs::kRemove}}};
+constexpr std::size_t kLongestClipName = 64;  // characters
+
+constexpr std::array<QueryField, 25> kQueryFields{{{"amplitude", "/motion/wave/amplitude"},
+                                                   {"spatial_period", "/motion/wave/spatial_period"},
+                                                   {"lightness", "/motion/wave/lightness"},
+                                                   {"tip_exponent", "/motion/wave/tip_exponent"},
+                                                   {"period", "/motion/timing/period"},
+                                                   {"fps", "/motion/timing/fps"},
+                                                   {"hold", "/motion/timing/hold"},
+                                                   {"short_holds", "/motion/timing/short_holds"},
+                                                   {"sampling", "/motion/timing/sampling"},
+                                                   {"mode", "/motion/mode"},
+                                                   {"wind", "/motion/wind"},
+                                                   {"up", "/motion/up"},
+                                                   {"droop", "/motion/droop"},
+                                                   {"one_sided", "/motion/one_sided"},
+                                                   {"lift", "/motion/lift"},
+                                                   {"phase_step", "/motion/phase/step"},
+                                                   {"gust_wavelength", "/motion/phase/gust_wavelength"},
+                                                   {"spread", "/motion/phase/spread"},
+                                                   {"seed", "/motion/phase/seed"},
+                                                   {"cycles", "/motion/phase/cycles"},
+                                                   {"formulas", "/formulas"},
+                                                   {"chains", "/chains", true},
+                                                   {"kinds", "/kinds", true},
+                                                   {"springs", "/springs", true},
+                                                   {"clip", "/clip", true}}};
+
+struct Settings {
+    Motion motion;
+    Formulas formulas = Formulas::kCorrected;
+    ChainChoice choice;
+    Springs springs = Springs::kKeep;
+    std::string clip = "wave";
+};
+
+std::variant<Settings, Problem> read_settings(const Request& request, const Limits& limits) {
+    for (const auto& [name, value] : request.query) {
+        if (value.empty())
+            return fields_problem({{ProblemCode::kWrongType, "?" + name.substr(0, 64), "", "a value", {}, {}}});
+    }
+    const nlohmann::json body = query_body(request, kQueryFields);
+    Settings read;
+    FieldProblems problems;
+    const Place root;
+    Fields fields(body, root, problems);
+    fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
+        read_motion(motion, place, problems, limits, read.motion);
+    });
+    read_formulas(fields, read.formulas);
+    fields.text("chains", 1024, read.choice.chains);
+    fields.text("kinds", 64, read.choice.kinds);
+    fields.choice("springs", kSpringChoices, read.springs);
+    fields.text("clip", kLongestClipName, read.clip);
+    if (problems.empty()) return read;
+    return as_query_problem(fields_problem(problems.take()), kQueryFields);
+}
+
+/// What is to be moved, and how it moves.
+struct Moved {
+    std::vector<std::size_t> chosen;
+    std::vector<Chain> chains;
+    HairMotion motion;
+};
+
+std::variant<Moved, Problem> move(const Upload& upload, const Settings& settings, const Context& context) {
+    const auto in_query = [](const Error& error, const std::string& place) {
+        return as_query_problem(to_problem(error, place), kQueryFields);
+    };
+    if (settings.motion.one_sided && upload.found.head < 0)
+        return fields_problem(
+            {{ProblemCode::kDegenerate, "?one_sided", {}, "false, since no node is called a head", {}, {}}});
+    auto schedule = make_schedule(settings.motion.timing, settings.formulas, context.limits);
+    if (!schedule) return in_query(schedule.error(), "/motion/timing");
+    auto chosen = choose_chains(upload.found, settings.choice);
+    if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    Moved moved{std::get<std::vector<std::size_t>>(std::move(chosen)), {}, {}};
+    for (const std::size_t index : moved.chosen)
+        moved.chains.push_back(character::to_chain(upload.character, upload.found, upload.found.chains[index]));
+    if (const Check wrong = check_chains(moved.chains, context.limits)) return to_problem(*wrong, "/chains");
+    auto motions =
+        move_chains(moved.chains, settings.motion, *schedule, context.limits, context.for_each, context.stop);
+    if (!motions) return in_query(motions.error(), "");
+    moved.motion = {std::move(schedule).value(), std::move(motions).value()};
+    return moved;
+}
+
+std::vector<character::FoundChain> moved_chains(const Upload& upload, const Moved& moved) {
+    std::vector<character::FoundChain> chains;
+    for (const std::size_t index : moved.chosen) chains.push_back(upload.found.chains[index]);
+    return chains;
+}
+
+std::vector<character::NodeKeys> node_keys(const Upload& upload, const Moved& moved) {
+    std::vector<character::NodeKeys> keys;
+    const auto pictures = static_cast<std::size_t>(moved.motion.schedule.pictures);
+    for (std::size_t c = 0; c < moved.chosen.size(); ++c) {
+        const character::FoundChain& chain = upload.found.chains[moved.chosen[c]];
+        for (std::size_t i = 0; i < chain.bones.size(); ++i) {
+            character::NodeKeys& node = keys.emplace_back(character::NodeKeys{chain.bones[i], {}});
+            for (std::size_t n = 0; n < pictures; ++n) {
+                const Quat& rotation = moved.motion.chains[c].rotations[n * moved.chains[c].nodes.size() + i];
+                node.rotations.push_back(character::to_node_rotation(upload.character, chain, i, rotation));
+            }
+        }
+    }
+    return keys;
+}
+
+Json warnings(const Upload& upload, const Settings& settings, const Moved& moved) {
+    Json warnings = warnings_json(&moved.motion.schedule);
+    const std::size_t count = character::count_springs(upload.character, moved_chains(upload, moved));
+    if (settings.springs == Springs::kKeep && count > 0)
+        warnings.push_back({{"code", "springs_overwrite"},
+                            {"detail", "A VRM player runs its springs after the clip and overwrites it on " +
+                                           std::to_string(count) + " of them; springs=remove takes them out."}});
+    return warnings;
+}
+
+std::string poses_json(const Upload& upload, const Settings& settings, const Moved& moved, const Context& context) {
+    Json chains = Json::array();
+    for (const std::size_t index : moved.chosen) chains.push_back(found_chain_json(upload, index));
+    return Json{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
+                {"schedule", schedule_json(moved.motion.schedule)},
+                {"chains", std::move(chains)},
+                {"pictures", character_pictures_json(upload, moved.chosen, moved.chains, moved.motion, context.stop)},
+                {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
+                {"warnings", warnings(upload, settings, moved)}}
+        .dump();
+}
+
+std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings& settings, const Moved& moved) {
+    const std::size_t binary_bytes = upload.glb.binary.size();
+    if (const auto fault = character::check_clip_fits(upload.file, settings.clip, binary_bytes))
+        return to_problem(*fault);
+    if (settings.springs == Springs::kRemove)
+        character::remove_springs(upload.file, upload.character, moved_chains(upload, moved));
+    const std::string added =
+        character::add_held_clip(upload.file, upload.character, node_keys(upload, moved), moved.motion.schedule,
+                                 settings.clip, schedule_json(moved.motion.schedule), binary_bytes);
+    return character::join_glb(upload.file.dump(), upload.glb.binary, added, upload.glb.others);
+}
+
+}  // namespace
+
+Answer post_character_motion(const Request& request, const Context& context) {
+    if (auto problem = check_query(request, names_of(kQueryFields))) return *std::move(problem);
+    auto chosen = choose_format(request, {Format::kGlb, Format::kJson, Format::kXdts, Format::kCsv});
+    if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    auto read = read_settings(request, context.limits);
+    if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
+    const auto& settings = std::get<Settings>(read);
+    auto posted = read_character(request, context.limits);
+    if (auto* problem = std::get_if<Problem>(&posted)) return std::move(*problem);
+    auto& upload = std::get<Upload>(posted);
+    auto made = move(upload, settings, context);
+    if (auto* problem = std::get_if<Problem>(&made)) return std::move(*problem);
+
+    const auto& moved = std::get<Moved>(made);
+    const Format format = std::get<Format>(chosen);
+    const Schedule* schedule = &moved.motion.schedule;
+    switch (format) {
+        case Format::kXdts:
+            return formatted(format, sheets::xdts(*schedule, 1), "character", schedule);
+        case Format::kCsv:
+            return formatted(format, sheets::csv(*schedule, 1), "character", schedule);
+        case Format::kJson:
+            return formatted(format, poses_json(upload, settings, moved, context), "character", schedule);
+        default:
+            break;
+    }
+    auto file = file_with_clip(upload, settings, moved);
+    if (auto* problem = std::get_if<Problem>(&file)) return std::move(*problem);
+    return formatted(Format::kGlb, std::get<std::string>(std::move(file)), "character", schedule);
+}
+
+}  // namespace tuftwave::server

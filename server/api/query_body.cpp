@@ -1,0 +1,78 @@
+#include "api/query_body.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace tuftwave::server {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_number = error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
+    return is_number ? std::optional(number) : std::nullopt;
+}
+
+nlohmann::json value_in(const std::string& text) {
+    if (text == "true" || text == "false") return text == "true";
+    if (const auto number = number_in(text)) return *number;
+    nlohmann::json numbers = nlohmann::json::array();
+    for (std::string_view rest = text; text.find(',') != std::string::npos;) {
+        const std::size_t end = rest.find(',');
+        const auto number = number_in(rest.substr(0, end));
+        if (!number) return text;
+        numbers.push_back(*number);
+        if (end == std::string_view::npos) return numbers;
+        rest.remove_prefix(end + 1);
+    }
+    return text;
+}
+
+const QueryField* row_of(std::string_view name, std::span<const QueryField> fields) {
+    for (const QueryField& field : fields) {
+        if (field.name == name) return &field;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string_view> names_of(std::span<const QueryField> fields) {
+    std::vector<std::string_view> names{"format"};
+    for (const QueryField& field : fields) names.push_back(field.name);
+    return names;
+}
+
+nlohmann::json query_body(const Request& request, std::span<const QueryField> fields) {
+    nlohmann::json body = nlohmann::json::object();
+    for (const auto& [name, value] : request.query) {
+        const QueryField* const row = row_of(name, fields);
+        if (row == nullptr) continue;
+        body[nlohmann::json::json_pointer(std::string(row->place))] =
+            row->is_text ? nlohmann::json(value) : value_in(value);
+    }
+    return body;
+}
+
+Problem as_query_problem(Problem problem, std::span<const QueryField> fields) {
+    if (problem.fields.empty()) return problem;
+    for (FieldProblem& wrong : problem.fields) {
+        for (const QueryField& field : fields) {
+            const bool is_here =
+                wrong.pointer == field.place || wrong.pointer.starts_with(std::string(field.place) + "/");
+            if (is_here) {
+                wrong.pointer = "?" + std::string(field.name);
+                break;
+            }
+        }
+    }
+    NameValues headers = std::move(problem.headers);
+    problem = fields_problem(std::move(problem.fields));
+    problem.headers = std::move(headers);
+    return problem;
+}
+
+}  // namespace tuftwave::server

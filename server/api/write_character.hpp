@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <stop_token>
+
+#include "api/read_character.hpp"
+#include "tuftwave/hairstyle.hpp"
+
+namespace tuftwave::server {
+
+/// A chain of a character: its bones, how it was found and what it looks like. @param index  into upload.found.chains
+nlohmann::ordered_json found_chain_json(const Upload& upload, std::size_t index);
+
+/// All of them, what was left out, and where the head is.
+nlohmann::ordered_json found_chains_json(const Upload& upload);
+
+/// Every moved chain's pose, picture by picture: the rotation of each bone's node and where bones and tip are.
+/// @param chosen  indices into upload.found.chains
+/// @param chains  the same, as core moved them
+/// Incomplete once `stop` is set.
+nlohmann::ordered_json character_pictures_json(const Upload& upload, std::span<const std::size_t> chosen,
+                                               std::span<const Chain> chains, const HairMotion& motion,
+                                               const std::stop_token& stop);
+
+}  // namespace tuftwave::server
