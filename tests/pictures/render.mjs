@@ -7,7 +7,7 @@ import { encode } from "./png.mjs";
 import { hairFrom } from "./service.mjs";
 
 const kFolder = fileURLToPath(new URL("../../docs/images/", import.meta.url));
-const kColors = { hero: 128, heads: 256, ponytail: 256, tufts: 256, steps: 256, fills: 256, six: 256 };
+const kColors = { hero: 128, heads: 256, ponytail: 256, tufts: 256, steps: 256, fills: 256, six: 256, uploads: 256 };
 
 async function render(page, name) {
   const { frames, fps } = await page.evaluate((wanted) => window.drawPicture(wanted), name);

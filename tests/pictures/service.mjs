@@ -1,12 +1,11 @@
 // Hair by name: the request, and what the service makes of it.
-import { requestNamed } from "./requests.mjs";
+import { readFile } from "node:fs/promises";
 
-async function post(url, body) {
-  const answer = await fetch(`${url}/v1/hairstyles`, {
-    method: "POST",
-    headers: { "Content-Type": "application/json", Accept: "model/gltf-binary" },
-    body,
-  });
+import { requestNamed } from "./requests.mjs";
+import { kUploads } from "./uploads.mjs";
+
+async function post(url, type, body) {
+  const answer = await fetch(url, { method: "POST", headers: { "Content-Type": type, Accept: "model/gltf-binary" }, body });
   if (!answer.ok) throw new Error(`${answer.status} ${await answer.text()}`);
   return Buffer.from(await answer.arrayBuffer());
 }
@@ -15,7 +14,11 @@ async function post(url, body) {
 export function hairFrom(url) {
   return async (file) => {
     const [name, extension] = file.split(".");
+    if (name in kUploads) {
+      const { file, query } = kUploads[name];
+      return post(`${url}/v1/characters/motion?${new URLSearchParams(query)}`, "model/gltf-binary", await readFile(file));
+    }
     const body = await requestNamed(name);
-    return extension === "json" ? Buffer.from(body) : post(url, body);
+    return extension === "json" ? Buffer.from(body) : post(`${url}/v1/hairstyles`, "application/json", body);
   };
 }

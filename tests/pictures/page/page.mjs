@@ -6,8 +6,9 @@ import { drawPonytail } from "./pictures/ponytail.mjs";
 import { drawSix } from "./pictures/six.mjs";
 import { drawSteps } from "./pictures/steps.mjs";
 import { drawTufts } from "./pictures/tufts.mjs";
+import { drawUploads } from "./pictures/uploads.mjs";
 
-const draw = { hero: drawHero, heads: drawHeads, ponytail: drawPonytail, tufts: drawTufts, steps: drawSteps, fills: drawFills, six: drawSix };
+const draw = { hero: drawHero, heads: drawHeads, ponytail: drawPonytail, tufts: drawTufts, steps: drawSteps, fills: drawFills, six: drawSix, uploads: drawUploads };
 
 /** The frames of a picture as PNG data URLs, each with the exposure frames it is held for. */
 window.drawPicture = async (name) => {
