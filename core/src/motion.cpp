@@ -203,4 +203,20 @@ std::vector<Vec3> node_positions(const Chain& chain, std::span<const Quat> rotat
     return positions;
 }
 
+std::vector<Quat> model_turns(const Chain& chain, std::span<const Quat> rotations) {
+    const std::size_t nodes = chain.nodes.size();
+    std::vector<Quat> turns;
+    turns.reserve(rotations.size());
+    for (std::size_t at = 0; at < rotations.size(); at += nodes) {
+        Quat rest = normalized(chain.parent_rotation), posed = rest;
+        for (std::size_t i = 0; i < nodes; ++i) {
+            rest = rest * normalized(chain.rest_rotations[i]);
+            posed = posed * rotations[at + i];
+            turns.push_back(normalized(posed * inverse(rest)));
+        }
+    }
+    make_continuous(turns, nodes);
+    return turns;
+}
+
 }  // namespace tuftwave

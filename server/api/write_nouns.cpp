@@ -15,6 +15,15 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
+Json chain_pose_json(const Chain& chain, std::span<const Quat> rotations, std::span<const Quat> turns) {
+    Json json{
+        {"name", chain.name}, {"rotations", Json::array()}, {"turns", Json::array()}, {"positions", Json::array()}};
+    for (const Quat& rotation : rotations) json["rotations"].push_back(pose_json(rotation));
+    for (const Quat& turn : turns) json["turns"].push_back(pose_json(turn));
+    for (const Vec3& position : node_positions(chain, rotations)) json["positions"].push_back(pose_json(position));
+    return json;
+}
+
 /// What a decimal can say exactly goes out as a number, whose fraction might have more digits than we read.
 Json fps_json(const FrameRate& fps) {
     constexpr std::int64_t kMillion = 1'000'000;
@@ -196,21 +205,21 @@ Json schedule_json(const Schedule& schedule) {
 }
 
 Json pictures_json(std::span<const Chain> chains, const HairMotion& motion, const std::stop_token& stop) {
-    Json pictures = Json::array();
-    for (std::size_t n = 0; n < static_cast<std::size_t>(motion.schedule.pictures) && !stop.stop_requested(); ++n) {
-        Json poses = Json::array();
-        for (std::size_t c = 0; c < chains.size(); ++c) {
-            const std::size_t nodes = chains[c].nodes.size();
-            const std::span<const Quat> rotations = std::span(motion.chains[c].rotations).subspan(n * nodes, nodes);
-            Json turns = Json::array(), places = Json::array();
-            for (const Quat& rotation : rotations) turns.push_back(pose_json(rotation));
-            for (const Vec3& position : node_positions(chains[c], rotations)) places.push_back(pose_json(position));
-            poses.push_back(
-                {{"name", chains[c].name}, {"rotations", std::move(turns)}, {"positions", std::move(places)}});
+    const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
+    std::vector<Json> poses(pictures, Json::array());
+    for (std::size_t c = 0; c < chains.size() && !stop.stop_requested(); ++c) {
+        const std::size_t nodes = chains[c].nodes.size();
+        const std::vector<Quat> turns = model_turns(chains[c], motion.chains[c].rotations);
+        for (std::size_t n = 0; n < pictures; ++n) {
+            const auto of_picture = [&](const std::vector<Quat>& all) {
+                return std::span(all).subspan(n * nodes, nodes);
+            };
+            poses[n].push_back(chain_pose_json(chains[c], of_picture(motion.chains[c].rotations), of_picture(turns)));
         }
-        pictures.push_back({{"chains", std::move(poses)}});
     }
-    return pictures;
+    Json answer = Json::array();
+    for (Json& chain_poses : poses) answer.push_back({{"chains", std::move(chain_poses)}});
+    return answer;
 }
 
 Json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion,

@@ -19,7 +19,7 @@ nlohmann::ordered_json tuft_json(const Tuft& tuft);
 nlohmann::ordered_json fill_report_json(const FillReport& report);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
 
-/// Every chain's rotations and positions, picture by picture; incomplete once `stop` is set.
+/// Every chain's rotations, turns and positions, picture by picture; incomplete once `stop` is set.
 nlohmann::ordered_json pictures_json(std::span<const Chain> chains, const HairMotion& motion,
                                      const std::stop_token& stop);
 

@@ -24,6 +24,9 @@ TEST(Motions, GiveAPosePerPictureAndNode) {
     for (const auto& picture : json["pictures"]) {
         EXPECT_EQ(picture["chains"][0]["name"], "lock");
         EXPECT_EQ(picture["chains"][0]["rotations"].size(), 3U);
+        // Rest rotations are the identity here, so that the first node is turned by nothing but its own rotation.
+        EXPECT_EQ(picture["chains"][0]["turns"].size(), 3U);
+        EXPECT_EQ(picture["chains"][0]["turns"][0], picture["chains"][0]["rotations"][0]);
         EXPECT_EQ(picture["chains"][0]["positions"][0], nlohmann::json({0.0, 1.0, 0.0}));
     }
     EXPECT_EQ(json["quality"]["hold_counts"], nlohmann::json({{"1", 1}, {"2", 5}}));

@@ -74,4 +74,10 @@ Result<std::vector<ChainMotion>> move_chains(std::span<const Chain> chains, cons
 /// @param rotations  local, one per node
 std::vector<Vec3> node_positions(const Chain& chain, std::span<const Quat> rotations);
 
+/// How each node is turned away from rest, in model axes: its posed model-space rotation, after its rest one is undone.
+/// It knows nothing of rest rotations, so that it holds for every tool's bones; the tip turns as the last bone does.
+/// @param rotations  local, one per node and picture, as in ChainMotion
+/// @return  as many, in the same order; unit, w >= 0 in the first picture and sign-continuous from there
+std::vector<Quat> model_turns(const Chain& chain, std::span<const Quat> rotations);
+
 }  // namespace tuftwave
