@@ -29,6 +29,7 @@ Json counts_json(const Limits& limits) {
             {"nodes_per_chain", limits.nodes_per_chain},
             {"joints", limits.joints},
             {"node_poses", limits.node_poses},
+            {"joint_keys", limits.joint_keys},
             {"rings_per_tuft", limits.rings_per_tuft},
             {"vertices", limits.vertices},
             {"triangles", limits.triangles},

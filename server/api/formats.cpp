@@ -16,11 +16,14 @@ struct Row {
     std::string_view media_type;
 };
 
-constexpr std::array<Row, 5> kTable{{{Format::kGlb, "glb", "model/gltf-binary"},
+constexpr std::array<Row, 8> kTable{{{Format::kGlb, "glb", "model/gltf-binary"},
                                      {Format::kGltf, "gltf", "model/gltf+json"},
                                      {Format::kJson, "json", "application/json"},
                                      {Format::kXdts, "xdts", "application/x-xdts+json"},
-                                     {Format::kCsv, "csv", "text/csv"}}};
+                                     {Format::kCsv, "csv", "text/csv"},
+                                     {Format::kVmd, "vmd", "application/octet-stream"},
+                                     {Format::kBvh, "bvh", "application/x-bvh"},
+                                     {Format::kUsda, "usda", "model/vnd.usda"}}};
 
 const Row& row(Format format) { return kTable[static_cast<std::size_t>(format)]; }
 

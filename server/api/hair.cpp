@@ -6,10 +6,9 @@
 #include "api/choices.hpp"
 #include "api/formats.hpp"
 #include "api/hair_bytes.hpp"
+#include "api/motion_file.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
-#include "sheets/csv.hpp"
-#include "sheets/xdts.hpp"
 #include "tuftwave/hairstyle.hpp"
 
 namespace tuftwave::server {
@@ -111,31 +110,37 @@ Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_
     return report;
 }
 
-Answer answer_hair(const Request& request, const Context& context, Stillness stillness, Format format) {
+/// What a format needs beyond a hairstyle. @param hair  takes the frame rate that the format prescribes
+std::optional<Problem> prepare_for(Format format, HairRequest& hair, const Limits& limits) {
+    if (!is_motion_file(format)) return {};
+    std::optional<Motion>& motion = hair.hairstyle.motion;
+    if (!motion) {
+        const bool is_sheet = format == Format::kXdts || format == Format::kCsv;
+        const std::string what = is_sheet ? "a sheet was" : "poses were";
+        return fields_problem(
+            {{ProblemCode::kMissingField, "/motion", {}, "a motion, since " + what + " asked for", {}, {}}});
+    }
+    if (const Check wrong = prescribe_rate(format, motion->timing, hair.hairstyle.formulas, limits))
+        return to_problem(*wrong, "/motion/timing");
+    return {};
+}
+
+Answer answer_hair(const Request& request, const Context& context, Stillness stillness, Format format,
+                   const FileOptions& options) {
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
     auto read = read_hair(std::get<nlohmann::json>(body), stillness, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
-    const auto& hair = std::get<HairRequest>(read);
-    const bool is_sheet = format == Format::kXdts || format == Format::kCsv;
-    if (is_sheet && !hair.hairstyle.motion)
-        return fields_problem(
-            {{ProblemCode::kMissingField, "/motion", {}, "a motion, since a sheet was asked for", {}, {}}});
+    auto& hair = std::get<HairRequest>(read);
+    if (auto problem = prepare_for(format, hair, context.limits)) return *std::move(problem);
 
     const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
-    if (!plan) return to_problem(plan.error());
+    if (!plan) return to_problem(at_prescribed_rate(format, plan.error()));
+    if (is_motion_file(format))
+        return motion_file({plan->chains, *plan->motion, "tuft", "/tufts", "hair"}, format, options, context.limits);
     const Schedule* schedule = plan->motion ? &plan->motion->schedule : nullptr;
-    switch (format) {
-        case Format::kJson:
-            return formatted(format, report_json(hair, *plan, context.stop).dump(), "hair", schedule);
-        case Format::kXdts:
-            return formatted(format, sheets::xdts(*schedule, 1), "hair", schedule);
-        case Format::kCsv:
-            return formatted(format, sheets::csv(*schedule, 1), "hair", schedule);
-        case Format::kGlb:
-        case Format::kGltf:
-            break;
-    }
+    if (format == Format::kJson)
+        return formatted(format, report_json(hair, *plan, context.stop).dump(), "hair", schedule);
     return formatted(format, hair_bytes(hair, *plan, format, context), "hair", schedule);
 }
 
@@ -145,14 +150,18 @@ Answer post_tufts(const Request& request, const Context& context) {
     if (auto problem = check_query(request, {"format"})) return *std::move(problem);
     auto format = choose_format(request, {Format::kGlb, Format::kGltf});
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
-    return answer_hair(request, context, Stillness::kStill, std::get<Format>(format));
+    return answer_hair(request, context, Stillness::kStill, std::get<Format>(format), {});
 }
 
 Answer post_hairstyles(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
-    auto format = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv});
-    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
-    return answer_hair(request, context, Stillness::kMoving, std::get<Format>(format));
+    if (auto problem = check_query(request, {"format", "repeat"})) return *std::move(problem);
+    auto chosen = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv,
+                                          Format::kVmd, Format::kBvh, Format::kUsda});
+    if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    const Format format = std::get<Format>(chosen);
+    auto options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
+    return answer_hair(request, context, Stillness::kMoving, format, std::get<FileOptions>(options));
 }
 
 }  // namespace tuftwave::server

@@ -4,11 +4,10 @@
 
 #include "api/body.hpp"
 #include "api/formats.hpp"
+#include "api/motion_file.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
 #include "gltf/hair_file.hpp"
-#include "sheets/csv.hpp"
-#include "sheets/xdts.hpp"
 #include "tuftwave/motion.hpp"
 #include "tuftwave/vector_checks.hpp"
 #include "version.hpp"
@@ -56,14 +55,16 @@ void set_outward(MotionRequest& request) {
     }
 }
 
-Result<HairMotion> move(MotionRequest& request, const Context& context) {
+Result<HairMotion> move(MotionRequest& request, Format format, const Context& context) {
     if (request.head) {
         if (Check wrong = check_head(*request.head, context.limits)) return within("/head", *wrong);
     }
     if (Check wrong = check_chains(request.chains, context.limits)) return within("/chains", *wrong);
     set_outward(request);
+    if (Check wrong = prescribe_rate(format, request.motion.timing, request.formulas, context.limits))
+        return within("/motion/timing", *wrong);
     Result<Schedule> schedule = make_schedule(request.motion.timing, request.formulas, context.limits);
-    if (!schedule) return within("/motion/timing", schedule.error());
+    if (!schedule) return at_prescribed_rate(format, within("/motion/timing", schedule.error()));
     auto moved = move_chains(request.chains, request.motion, *schedule, context.limits, context.for_each, context.stop);
     if (!moved) return moved.error();
     return HairMotion{std::move(schedule).value(), std::move(moved).value()};
@@ -88,31 +89,27 @@ std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, F
 }  // namespace
 
 Answer post_motions(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
-    auto chosen = choose_format(request, {Format::kJson, Format::kGlb, Format::kGltf, Format::kXdts, Format::kCsv});
+    if (auto problem = check_query(request, {"format", "repeat"})) return *std::move(problem);
+    auto chosen = choose_format(request, {Format::kJson, Format::kGlb, Format::kGltf, Format::kXdts, Format::kCsv,
+                                          Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    const Format format = std::get<Format>(chosen);
+    auto options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
     auto read = read_request(std::get<nlohmann::json>(body), context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
 
     auto& wanted = std::get<MotionRequest>(read);
-    const Result<HairMotion> motion = move(wanted, context);
+    const Result<HairMotion> motion = move(wanted, format, context);
     if (!motion) return to_problem(motion.error());
-    const Format format = std::get<Format>(chosen);
-    const Schedule* schedule = &motion->schedule;
-    switch (format) {
-        case Format::kXdts:
-            return formatted(format, sheets::xdts(*schedule, 1), "motion", schedule);
-        case Format::kCsv:
-            return formatted(format, sheets::csv(*schedule, 1), "motion", schedule);
-        case Format::kGlb:
-        case Format::kGltf:
-            return formatted(format, clip_bytes(wanted, *motion, format), "motion", schedule);
-        case Format::kJson:
-            break;
-    }
-    return formatted(format, answer_json(wanted, *motion, context.stop), "motion", schedule);
+    if (is_motion_file(format))
+        return motion_file({wanted.chains, *motion, "chain", "/chains", "motion"}, format,
+                           std::get<FileOptions>(options), context.limits);
+    std::string text =
+        format == Format::kJson ? answer_json(wanted, *motion, context.stop) : clip_bytes(wanted, *motion, format);
+    return formatted(format, std::move(text), "motion", &motion->schedule);
 }
 
 }  // namespace tuftwave::server

@@ -24,13 +24,6 @@ std::array<double, 3> linear_color(const std::string& color) {
     return {linear_channel(color.substr(1, 2)), linear_channel(color.substr(3, 2)), linear_channel(color.substr(5, 2))};
 }
 
-std::vector<std::string> claim_names(std::span<const Chain> chains, const std::string& kind) {
-    Names names;
-    std::vector<std::string> claimed;
-    for (const Chain& chain : chains) claimed.push_back(names.claim(chain.name, kind));
-    return claimed;
-}
-
 }  // namespace
 
 std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,

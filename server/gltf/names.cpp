@@ -71,4 +71,11 @@ std::string Names::claim(const std::string& wanted, const std::string& kind) {
 
 std::string Names::joint(const std::string& base, std::size_t number) { return base + "_" + padded(number, 2); }
 
+std::vector<std::string> claim_names(std::span<const Chain> chains, const std::string& kind) {
+    Names names;
+    std::vector<std::string> claimed;
+    for (const Chain& chain : chains) claimed.push_back(names.claim(chain.name, kind));
+    return claimed;
+}
+
 }  // namespace tuftwave::server::gltf

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
+
+#include "tuftwave/skeleton.hpp"
 
 namespace tuftwave::server::gltf {
 
@@ -24,5 +28,8 @@ class Names {
     std::set<std::string> taken_{"hair_root"};
     int next_ = 1;
 };
+
+/// A name for each chain, from what it is called. @param kind  "tuft" or "chain"
+std::vector<std::string> claim_names(std::span<const Chain> chains, const std::string& kind);
 
 }  // namespace tuftwave::server::gltf

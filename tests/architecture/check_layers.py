@@ -20,7 +20,7 @@ from typing import Optional
 sys.dont_write_bytecode = True
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
-# main -> http -> service -> api -> (gltf, sheets) -> core, with config, exec and log beside service.
+# main -> http -> service -> api -> (gltf, poses, sheets) -> core, with config, exec and log beside service.
 # For each layer those it may include, by whatever way.
 MAY_INCLUDE = {
     "core": set(),
@@ -30,12 +30,13 @@ MAY_INCLUDE = {
     "exec": {"core"},
     "config": {"core"},
     "sheets": {"core"},
+    "poses": {"core", "assets"},
     "gltf": {"core", "version"},
     "character": {"core", "gltf"},
-    "api": {"core", "gltf", "sheets", "character", "assets", "version"},
-    "service": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log"},
-    "http": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service"},
-    "main": {"core", "gltf", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service", "http"},
+    "api": {"core", "gltf", "poses", "sheets", "character", "assets", "version"},
+    "service": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log"},
+    "http": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service"},
+    "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service", "http"},
 }
 # Libraries by a pattern of their headers, and the layer whose one .cpp may include them.
 ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "tinygltf": (r"/tiny_gltf\.h$", "gltf"), "spdlog": (r"/spdlog/", "log")}
@@ -176,6 +177,7 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ours("core/src/wave.cpp"): [ours("core/include/tuftwave/wave.hpp"), "/usr/include/c++/12/cmath", "/usr/include/math.h"],
         ours("server/gltf/document.cpp"): [ours("server/gltf/document.hpp"), "/usr/include/tiny_gltf.h", ours("core/include/tuftwave/math.hpp")],
         ours("server/api/hair.cpp"): [ours("server/gltf/hair_file.hpp"), ours("build/x/server/generated/version.hpp"), "/usr/include/nlohmann/json.hpp"],
+        ours("server/poses/vmd.cpp"): [ours("server/assets/assets.hpp"), ours("core/include/tuftwave/motion.hpp")],
         ours("server/http/listener.cpp"): [ours("server/service/service.hpp"), "/usr/include/httplib.h"],
         ours("server/log/log.cpp"): ["/usr/include/spdlog/async.h"],
         ours("tests/core/wave_test.cpp"): ["/usr/include/gtest/gtest.h", ours("server/http/listener.hpp")],
@@ -185,6 +187,7 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ("core includes JSON", check_core, "core/src/wave.cpp", "/usr/include/nlohmann/json.hpp"),
         ("core includes a header like libc's", check_core, "core/src/wave.cpp", "/usr/include/httplib.h"),
         ("gltf includes api", check_direction, "server/gltf/document.cpp", ours("server/api/problem.hpp")),
+        ("poses include gltf", check_direction, "server/poses/vmd.cpp", ours("server/gltf/names.hpp")),
         ("gltf includes sheets", check_direction, "server/gltf/document.cpp", ours("server/sheets/csv.hpp")),
         ("api includes service", check_direction, "server/api/hair.cpp", ours("server/service/service.hpp")),
         ("api includes exec", check_direction, "server/api/hair.cpp", ours("server/exec/pool.hpp")),

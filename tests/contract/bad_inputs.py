@@ -220,6 +220,14 @@ CHAINS = [
     *[row._replace(changes={"/head": {}, **row.changes}) for row in HEAD],
 ]
 
+# What the query says about a file of motion, wherever the motion comes from.
+FILE_QUERIES = [
+    *[Row(f"repeat is {value}", {}, slug, "?repeat", f"?format=xdts&repeat={value}") for value, slug in (
+        ("0", "out_of_range"), ("1441", "out_of_range"), ("1440", "too_many"), ("-1", "out_of_range"), ("1.5", "wrong_type"), ("two", "wrong_type"),
+        ("", "wrong_type"), ("nan", "wrong_type"), ("1e300", "out_of_range"))],
+    *[Row(f"{word} has one cycle", {}, "conflict", "?repeat", f"?format={word}&repeat=2") for word in ("glb", "gltf", "json", "bvh", "usda")],
+]
+
 BODY = [Row(f"the body is {json.dumps(body)}", {"": body}, "wrong_type", "") for body in (None, True, 7, "tufts", [])]
 
 ROWS: dict[str, list[Row]] = {
@@ -235,9 +243,19 @@ ROWS: dict[str, list[Row]] = {
                    Row("half as many cycles of a tuft as pictures", {"/tufts/1/cycles": 3}, "conflict", "/tufts/1/cycles"),
                    Row("an XDTS of still hair", {"/motion": REMOVED}, "missing_field", "/motion", "?format=xdts", beyond_schema=True),
                    Row("a CSV of still hair", {"/motion": None}, "missing_field", "/motion", "?format=csv", beyond_schema=True),
+                   Row("a VMD of still hair", {"/motion": REMOVED}, "missing_field", "/motion", "?format=vmd", beyond_schema=True),
+                   Row("a BVH of still hair", {"/motion": None}, "missing_field", "/motion", "?format=bvh", beyond_schema=True),
+                   *FILE_QUERIES,
                    Row("chains belong elsewhere", {"/chains": []}, "unknown_field", "/chains"),
                    Row("an unknown format", {}, "not_a_choice", "?format", "?format=fbx")],
     "motions": [*BODY, *MOTION, *CHAINS, *FORMULAS,
+                *FILE_QUERIES,
+                Row("more than 24 pictures at a VMD's rate", {"/motion/timing": {"period": 1, "hold": 1}}, "too_many", "/motion/timing/period", "?format=vmd"),
+                Row("a VMD of no frame rate", {"/motion/timing/fps": 0}, "out_of_range", "/motion/timing/fps", "?format=vmd"),
+                *[Row(f"too many keys in a {word}", {"/chains": [{"nodes": LONGEST_CHAIN}] * 500, "/motion/timing": {"period": 2, "fps": 30, "hold": 3}},
+                      "too_many", "/chains", f"?format={word}") for word in ("vmd", "bvh")],
+                Row("too many keys in a usda", {"/chains": [{"nodes": LONGEST_CHAIN}] * 500, "/motion/timing": {"period": 0.8, "hold": 1}},
+                    "too_many", "/chains", "?format=usda"),
                 Row("tufts belong elsewhere", {"/tufts": []}, "unknown_field", "/tufts"),
                 Row("an empty format", {}, "not_a_choice", "?format", "?format=")],
     "schedules": [*BODY, *timing("/timing"), *FORMULAS, undefined_as_printed("/timing"),

@@ -19,7 +19,8 @@ with open(CONTRACT, encoding="utf-8") as file:
     DOCUMENT: dict[str, Any] = yaml.safe_load(file)
 
 _RESOLVER = jsonschema.RefResolver("", DOCUMENT)
-MEDIA_TYPES = {"glb": "model/gltf-binary", "gltf": "model/gltf+json", "json": "application/json", "xdts": "application/x-xdts+json", "csv": "text/csv"}
+MEDIA_TYPES = {"glb": "model/gltf-binary", "gltf": "model/gltf+json", "json": "application/json", "xdts": "application/x-xdts+json", "csv": "text/csv",
+               "vmd": "application/octet-stream", "bvh": "application/x-bvh", "usda": "model/vnd.usda"}
 
 
 class Operation(NamedTuple):

@@ -50,9 +50,10 @@ class Examples(ServiceTest):
             for word in contract.formats(op):
                 with self.subTest(f"{op.path} as {word}"):
                     answer = self.service.post(f"{op.path}?format={word}", contract.example(op.what["operationId"]))
+                    rate = "30" if word == "vmd" else "24"
                     given = answer.headers.get("content-disposition", "")
-                    self.assertRegex(given, r"^$" if word == "json" else rf'^attachment; filename="[a-z]+(_24fps)?\.{word}"$')
-                    self.assertEqual(answer.headers.get("tuftwave-frame-rate"), None if op.path in STILL else "24")
+                    self.assertRegex(given, r"^$" if word == "json" else rf'^attachment; filename="[a-z]+(_{rate}fps)?\.{word}"$')
+                    self.assertEqual(answer.headers.get("tuftwave-frame-rate"), None if op.path in STILL else rate)
 
     def test_rejected_twins_are_rejected_for_their_one_fault(self) -> None:
         with open(os.path.join(contract.EXAMPLES, "rejected", "index.json"), encoding="utf-8") as file:
@@ -86,5 +87,12 @@ class Examples(ServiceTest):
             first, rest = body.split(b"\n", 1)
             self.assertEqual(first, b"exchangeDigitalTimeSheet Save Data")
             self.assertEqual(json.loads(rest)["version"], 5)
+        elif word == "vmd":
+            self.assertTrue(body.startswith(b"Vocaloid Motion Data 0002\0"))
+            self.assertEqual(len(body), 74 + 111 * int.from_bytes(body[50:54], "little"))
+        elif word == "bvh":
+            self.assertTrue(body.startswith(b"HIERARCHY\nROOT hair_root\n{\n"))
+        elif word == "usda":
+            self.assertTrue(body.startswith(b"#usda 1.0\n(\n"))
         else:
             self.assertTrue(body.startswith(b"frame,picture,key\r\n") and body.endswith(b"\r\n"))

@@ -24,6 +24,12 @@ export function restPoses(json) {
   return poses;
 }
 
+/** The picture on show at each frame of one cycle. */
+export const shownPictures = (schedule) => schedule.holds.flatMap((hold, picture) => Array(hold).fill(picture));
+
+/** The length of a chain from its nodes' places, metres; 1 where it has none. */
+export const lengthOf = (places) => places.reduce((sum, place, i) => (i === 0 ? 0 : sum + distance(place, places[i - 1])), 0) || 1;
+
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const distance = (a, b) => Math.hypot(...subtract(a, b));

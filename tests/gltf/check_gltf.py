@@ -1,4 +1,4 @@
-"""Asks a server for glTF files of every kind, validates them and plays them.
+"""Asks a server for glTF files of every kind, validates them and plays them; and for other tools' poses of the same hair.
 
     python3 tests/gltf/check_gltf.py --server build/release/server/tuftwave-server [--out build/gltf]
 
@@ -159,7 +159,7 @@ class Files:
     """Answers written to a directory; a refusal is a failed check."""
 
     def __init__(self, service: Service, directory: str) -> None:
-        self._service, self._directory = service, directory
+        self.service, self._directory = service, directory
         self.passed = self.failed = 0
 
     def check(self, name: str, fault: str) -> None:
@@ -173,7 +173,7 @@ class Files:
         text = json.dumps(body, ensure_ascii=False)
         bytes_of: dict[str, bytes] = {}
         for word in formats:
-            answer = self._service.post(f"/v1/{operation}?format={word}", text)
+            answer = self.service.post(f"/v1/{operation}?format={word}", text)
             self.check(f"{name}.{word}", "" if answer.status == 200 else f"{answer.status} {answer.body[:300]!r}")
             if answer.status != 200:
                 return bytes_of
@@ -206,14 +206,27 @@ def write_files(files: Files) -> None:
         files.write("fills", name, body, "glb", "gltf")
     write_many(files)
     for name, body in hairs():
-        files.write("hairstyles", name, body, "json", "glb", *([] if "tressfx" in name else ["gltf"]))
+        files.write("hairstyles", name, body, "json", "glb", *([] if "tressfx" in name else ["gltf", "bvh", "usda"]))
     for name, body in chains():
-        files.write("motions", name, body, "json", "glb", "gltf")
+        files.write("motions", name, body, "json", "glb", "gltf", "bvh", "usda")
+        if name != "chains_longest":  # which has as many pictures as there may be
+            write_at_30_fps(files, "motions", name, body)
+    write_at_30_fps(files, "hairstyles", "example_hairstyles", example("hairstyles"))
     tuft = example("hairstyles")["tufts"][0]
     for name, timing in timings():
         if timing["period"] * rate_of(timing["fps"]) / timing["hold"] <= 24:
             files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
             files.write("hairstyles", f"tuft_{name}", {"tufts": [tuft], "motion": {"timing": timing}}, "json", "glb")
+
+
+def write_at_30_fps(files: Files, operation: str, name: str, body: Body) -> None:
+    """The frame rate of every VMD, and all formats at it: what is asked for at another rate must give the same VMD."""
+    motion = body.get("motion", {})
+    at_30 = {**body, "motion": {**motion, "timing": {**motion.get("timing", {}), "fps": 30}}}
+    made = files.write(operation, f"{name}_30fps", at_30, "json", "glb", "bvh", "usda", "vmd")
+    with tempfile.TemporaryDirectory() as elsewhere:  # not beside the JSON of the other rate
+        other = Files(files.service, elsewhere).write(operation, name, body, "vmd")
+    files.check(f"{name}: VMD at another rate", "" if made and other == {"vmd": made["vmd"]} else "differs from the one at 30 frames per second")
 
 
 def write_many(files: Files) -> None:
@@ -246,7 +259,7 @@ def check(server: str, directory: str) -> int:
         write_files(files)
     passed, failed = files.passed, files.failed
     print(f"{len(os.listdir(directory))} files in {directory}")
-    for script in ("validate.mjs", "playback.mjs"):
+    for script in ("validate.mjs", "playback.mjs", "poses.mjs"):
         more_passed, more_failed = run_node(script, directory)
         passed, failed = passed + more_passed, failed + more_failed
     print(f"{passed} passed, {failed} failed")
@@ -269,7 +282,7 @@ def main(arguments: Optional[list[str]] = None) -> int:
             return check(options.server, directory)
     os.makedirs(options.out, exist_ok=True)
     for name in os.listdir(options.out):
-        if name.endswith((".glb", ".gltf", ".json")):
+        if name.endswith((".glb", ".gltf", ".json", ".bvh", ".usda", ".vmd")):
             os.remove(os.path.join(options.out, name))
     return check(options.server, options.out)
 

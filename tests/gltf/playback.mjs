@@ -10,16 +10,13 @@ import { join } from "node:path";
 import { AnimationMixer, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-import { add, chainNodes, distance, inverse, product, restPoses, subtract, turned } from "./chains.mjs";
+import { add, chainNodes, distance, inverse, lengthOf, product, restPoses, shownPictures, subtract, turned } from "./chains.mjs";
 import { Checks } from "./checks.mjs";
 import { readGlb } from "./glb.mjs";
 import { meshFault, nodeFault } from "./invariants.mjs";
 
 const MOST_COMPARISONS = 4e6; // joints times frames per file and way of playing; larger files play fewer loops, at least 3
 const TOLERANCE = 1e-5; // of the chain's length, 2.5 micrometres on a hair of 25 cm; in metres where it has none
-
-/** The picture on show at each frame of one cycle. */
-const shownPictures = (schedule) => schedule.holds.flatMap((hold, picture) => Array(hold).fill(picture));
 
 /** Seconds of a frame, from a number or a fraction. */
 function secondsOf(frame, fps) {
@@ -67,7 +64,7 @@ function positionError(objects, chains, picture) {
   let largest = 0;
   for (const [c, nodes] of chains.entries()) {
     const { positions } = picture.chains[c];
-    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0) || 1;
+    const whole = lengthOf(positions);
     for (const [i, node] of nodes.entries()) {
       largest = Math.max(largest, distance(new Vector3().setFromMatrixPosition(objects[node].matrixWorld).toArray(), positions[i]) / whole);
     }
@@ -83,7 +80,7 @@ function jointMotions(json, chains, picture) {
     const { rotations, positions } = picture.chains[c];
     const parent = json.nodes.findIndex((node) => node.children?.includes(nodes[0]));
     let posed = rest.get(parent).rotation;
-    const whole = positions.reduce((sum, position, i) => (i === 0 ? 0 : sum + distance(position, positions[i - 1])), 0) || 1;
+    const whole = lengthOf(positions);
     for (const [i, node] of nodes.entries()) {
       posed = product(posed, rotations[i]);
       motions.set(node, { turn: product(posed, inverse(rest.get(node).rotation)), from: rest.get(node).position, to: positions[i], whole });

@@ -68,6 +68,64 @@ TEST(Motions, OneSidedTakesOutwardFromTheHeadOrFromTheChain) {
     EXPECT_EQ(answered(body)["pictures"].size(), 6U);
 }
 
+Answer posted_with(const NameValues& query, const nlohmann::json& body = one_chain()) {
+    Request request = json_post("/v1/motions", body.dump());
+    request.query = query;
+    return answer_to(request);
+}
+
+std::string header_of(const Answer& answer, const std::string& name) {
+    for (const auto& [key, value] : std::get<Response>(answer).headers) {
+        if (key == name) return value;
+    }
+    return "";
+}
+
+TEST(Motions, AVmdHasThirtyFramesPerSecondWhateverIsAskedFor) {
+    nlohmann::json body = one_chain();
+    std::vector<std::string> files;
+    for (const nlohmann::json& fps : {nlohmann::json(24), nlohmann::json(30), nlohmann::json("60000/1001")}) {
+        body["motion"]["timing"]["fps"] = fps;
+        const Answer answer = posted_with({{"format", "vmd"}}, body);
+        EXPECT_EQ(header_of(answer, "Tuftwave-Frame-Rate"), "30");
+        EXPECT_EQ(header_of(answer, "Content-Disposition"), "attachment; filename=\"motion_30fps.vmd\"");
+        files.push_back(std::get<Response>(answer).body);
+    }
+    EXPECT_EQ(files[1], files[0]);
+    EXPECT_EQ(files[2], files[0]);
+    EXPECT_EQ(files[0].size(), 74 + 111 * 2 * 15U);  // 7 pictures on twos
+}
+
+TEST(Motions, AVmdSaysThatItsRateMakesTooManyPictures) {
+    nlohmann::json body = one_chain();
+    body["motion"]["timing"] = {{"period", 1}, {"fps", 24}, {"hold", 1}};
+    const Answer answer = posted_with({{"format", "vmd"}}, body);
+    EXPECT_EQ(pointer_of(answer), "/motion/timing/period");
+    EXPECT_TRUE(std::get<Problem>(answer).fields[0].allowed.ends_with("30; a VMD has 30 frames per second"));
+    body["motion"]["timing"] = {{"fps", 1000}};
+    EXPECT_EQ(pointer_of(posted_with({{"format", "vmd"}}, body)), "/motion/timing/fps");
+}
+
+TEST(Motions, AVmdRepeatsItsCycle) {
+    const std::string twice = std::get<Response>(posted_with({{"format", "vmd"}, {"repeat", "2"}})).body;
+    EXPECT_EQ(twice.size(), 74 + 111 * 2 * 29U);
+    EXPECT_EQ(pointer_of(posted_with({{"format", "vmd"}, {"repeat", "1440"}})), "?repeat");  // of 14,400 frames
+    EXPECT_EQ(slug_of(posted_with({{"format", "bvh"}, {"repeat", "2"}})), "conflict");
+    EXPECT_EQ(slug_of(posted_with({{"format", "bvh"}, {"repeat", "1"}})), "no problem");
+    EXPECT_EQ(pointer_of(posted_with({{"format", "csv"}, {"repeat", "two"}})), "?repeat");
+}
+
+TEST(Motions, AFileHasNoMoreKeysThanTheLimit) {
+    nlohmann::json body;
+    std::vector<nlohmann::json> nodes;
+    for (int i = 0; i < 65; ++i) nodes.push_back({0, -0.01 * i, 0});
+    body["chains"] = std::vector<nlohmann::json>(30, {{"nodes", nodes}});     // 1,920 joints
+    body["motion"]["timing"] = {{"period", 60}, {"fps", 9.6}, {"hold", 24}};  // 576 frames, 24 pictures
+    EXPECT_EQ(slug_of(posted_with({{"format", "bvh"}}, body)), "too_many");
+    EXPECT_EQ(pointer_of(posted_with({{"format", "bvh"}}, body)), "/chains");
+    EXPECT_EQ(slug_of(posted_with({{"format", "usda"}}, body)), "no problem");
+}
+
 TEST(Motions, RestRotationsMustMatchTheNodes) {
     nlohmann::json body = one_chain();
     body["chains"][0]["rest_rotations"] = {{0, 0, 0, 1}};

@@ -1,0 +1,36 @@
+#include "api/file_options.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "api/query_body.hpp"
+#include "api/reader.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+constexpr std::array<QueryField, 1> kQueryFields{{{"repeat", "/repeat"}}};
+
+Problem no_use(const std::string& pointer, const std::string& given, const std::string& allowed) {
+    return fields_problem({{ProblemCode::kConflict, pointer, given, allowed, {}, {}}});
+}
+
+bool repeats(Format format) { return format == Format::kXdts || format == Format::kCsv || format == Format::kVmd; }
+
+}  // namespace
+
+std::variant<FileOptions, Problem> read_file_options(const Request& request, Format format, const Limits& limits) {
+    const nlohmann::json body = query_body(request, kQueryFields);
+    FileOptions read;
+    FieldProblems problems;
+    const Place root;
+    Fields fields(body, root, problems);
+    fields.integer("repeat", limits.repeat, read.repeat);
+    fields.done();
+    if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields);
+    if (read.repeat != 1 && !repeats(format))
+        return no_use("?repeat", std::to_string(read.repeat), "1; only xdts, csv and vmd write several cycles");
+    return read;
+}
+
+}  // namespace tuftwave::server

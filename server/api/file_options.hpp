@@ -1,0 +1,20 @@
+#pragma once
+
+#include <variant>
+
+#include "api/exchange.hpp"
+#include "api/formats.hpp"
+#include "api/problem.hpp"
+#include "tuftwave/limits.hpp"
+
+namespace tuftwave::server {
+
+/// What the query may say about a file, besides its format.
+struct FileOptions {
+    int repeat = 1;  ///< cycles written out: sheets and VMD
+};
+
+/// @return  conflict for an option that the format knows nothing of, unless it has its default
+std::variant<FileOptions, Problem> read_file_options(const Request& request, Format format, const Limits& limits);
+
+}  // namespace tuftwave::server
