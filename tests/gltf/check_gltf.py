@@ -141,6 +141,8 @@ def chains() -> Iterator[tuple[str, Body]]:
               "rest_rotations": [[0.1 * i, 0.2, -0.1 * i, 1 - 0.1 * i] for i in range(7)]}
     flipped = {"name": "flipped", "nodes": [[0, 0.1, 0], [0, 0, 0], [0, 0, 0], [0.1, 0, 0]], "parent_rotation": [0, 0, 0, -2]}
     yield "chains_turned", {**hanging, "chains": [turned, {**turned, "parent_rotation": [0, 0, 0, 1]}, flipped]}
+    oblique = {"name": "oblique", "nodes": [[0, 0, 0], [0.03, -0.1, 0.05], [-0.02, -0.2, 0.02], [0.04, -0.22, -0.06]]}
+    yield "chains_oblique", {"chains": [turned, oblique], "motion": {"wave": {"amplitude": 3}, "wind": [1, 0.4, -0.7], "lift": 0.3}}  # turned about all three axes
     yield "chains_names", {**hanging, "chains": [{**hanging["chains"][0], "name": name} for name in NAMES]}
     yield "chains_longest", {"chains": [{"nodes": [[0, -0.01 * i, 0.001 * (i % 3)] for i in range(65)]}], "motion": {"timing": {"period": 1, "hold": 1}}}
     yield "chains_one_picture", {**hanging, "motion": {"timing": {"period": 0.05}}}
