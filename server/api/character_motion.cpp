@@ -2,11 +2,14 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "api/body.hpp"
 #include "api/choices.hpp"
 #include "api/choose_chains.hpp"
+#include "api/file_options.hpp"
 #include "api/formats.hpp"
+#include "api/motion_file.hpp"
 #include "api/query_body.hpp"
 #include "api/read_character.hpp"
 #include "api/read_nouns.hpp"
@@ -14,8 +17,6 @@
 #include "api/write_nouns.hpp"
 #include "character/clip.hpp"
 #include "character/springs.hpp"
-#include "sheets/csv.hpp"
-#include "sheets/xdts.hpp"
 #include "tuftwave/motion.hpp"
 
 namespace tuftwave::server {
@@ -28,7 +29,7 @@ enum class Springs { kKeep, kRemove };
 constexpr Choices<Springs, 2> kSpringChoices{{{"keep", Springs::kKeep}, {"remove", Springs::kRemove}}};
 constexpr std::size_t kLongestClipName = 64;  // characters
 
-constexpr std::array<QueryField, 25> kQueryFields{{{"amplitude", "/motion/wave/amplitude"},
+constexpr std::array<QueryField, 27> kQueryFields{{{"amplitude", "/motion/wave/amplitude"},
                                                    {"spatial_period", "/motion/wave/spatial_period"},
                                                    {"lightness", "/motion/wave/lightness"},
                                                    {"tip_exponent", "/motion/wave/tip_exponent"},
@@ -48,16 +49,19 @@ constexpr std::array<QueryField, 25> kQueryFields{{{"amplitude", "/motion/wave/a
                                                    {"spread", "/motion/phase/spread"},
                                                    {"seed", "/motion/phase/seed"},
                                                    {"cycles", "/motion/phase/cycles"},
+                                                   {"phases", "/phases", QueryValue::kNumbers},
                                                    {"formulas", "/formulas"},
-                                                   {"chains", "/chains", true},
-                                                   {"kinds", "/kinds", true},
-                                                   {"springs", "/springs", true},
-                                                   {"clip", "/clip", true}}};
+                                                   {"repeat", "/repeat"},
+                                                   {"chains", "/chains", QueryValue::kText},
+                                                   {"kinds", "/kinds", QueryValue::kText},
+                                                   {"springs", "/springs", QueryValue::kText},
+                                                   {"clip", "/clip", QueryValue::kText}}};
 
 struct Settings {
     Motion motion;
     Formulas formulas = Formulas::kCorrected;
     ChainChoice choice;
+    std::vector<double> phases;  ///< radians, one per chain that moves; empty is 0 for all
     Springs springs = Springs::kKeep;
     std::string clip = "wave";
 };
@@ -78,6 +82,7 @@ std::variant<Settings, Problem> read_settings(const Request& request, const Limi
     read_formulas(fields, read.formulas);
     fields.text("chains", 1024, read.choice.chains);
     fields.text("kinds", 64, read.choice.kinds);
+    fields.numbers("phases", limits.chains, limits.phase, read.phases);
     fields.choice("springs", kSpringChoices, read.springs);
     fields.text("clip", kLongestClipName, read.clip);
     if (problems.empty()) return read;
@@ -91,20 +96,34 @@ struct Moved {
     HairMotion motion;
 };
 
-std::variant<Moved, Problem> move(const Upload& upload, const Settings& settings, const Context& context) {
+std::variant<Moved, Problem> move(const Upload& upload, const Settings& settings, Format format,
+                                  const Context& context) {
     const auto in_query = [](const Error& error, const std::string& place) {
         return as_query_problem(to_problem(error, place), kQueryFields);
     };
     if (settings.motion.one_sided && upload.found.head < 0)
         return fields_problem(
             {{ProblemCode::kDegenerate, "?one_sided", {}, "false, since no node is called a head", {}, {}}});
-    auto schedule = make_schedule(settings.motion.timing, settings.formulas, context.limits);
-    if (!schedule) return in_query(schedule.error(), "/motion/timing");
+    Timing timing = settings.motion.timing;
+    if (const Check wrong = prescribe_rate(format, timing, settings.formulas, context.limits))
+        return in_query(*wrong, "/motion/timing");
+    auto schedule = make_schedule(timing, settings.formulas, context.limits);
+    if (!schedule) return in_query(at_prescribed_rate(format, within("/motion/timing", schedule.error())), "");
     auto chosen = choose_chains(upload.found, settings.choice);
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
     Moved moved{std::get<std::vector<std::size_t>>(std::move(chosen)), {}, {}};
-    for (const std::size_t index : moved.chosen)
-        moved.chains.push_back(character::to_chain(upload.character, upload.found, upload.found.chains[index]));
+    if (!settings.phases.empty() && settings.phases.size() != moved.chosen.size())
+        return fields_problem({{ProblemCode::kConflict,
+                                "?phases",
+                                static_cast<double>(settings.phases.size()),
+                                "a number for each of the " + std::to_string(moved.chosen.size()) + " chains that move",
+                                {},
+                                {}}});
+    for (std::size_t c = 0; c < moved.chosen.size(); ++c) {
+        const character::FoundChain& found = upload.found.chains[moved.chosen[c]];
+        moved.chains.push_back(character::to_chain(upload.character, upload.found, found));
+        if (!settings.phases.empty()) moved.chains.back().phase = settings.phases[c];
+    }
     if (const Check wrong = check_chains(moved.chains, context.limits)) return to_problem(*wrong, "/chains");
     auto motions =
         move_chains(moved.chains, settings.motion, *schedule, context.limits, context.for_each, context.stop);
@@ -151,10 +170,54 @@ std::string poses_json(const Upload& upload, const Settings& settings, const Mov
     return Json{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
                 {"schedule", schedule_json(moved.motion.schedule)},
                 {"chains", std::move(chains)},
-                {"pictures", character_pictures_json(upload, moved.chosen, moved.chains, moved.motion, context.stop)},
+                {"pictures", character_pictures_json(upload, moved_chains(upload, moved), moved.chains, moved.motion,
+                                                     context.stop)},
                 {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
                 {"warnings", warnings(upload, settings, moved)}}
         .dump();
+}
+
+/// What the bones are called in the file: tools that have the same model find them by that.
+std::variant<poses::BoneNames, Problem> bone_names(const Upload& upload, const Moved& moved, Format format) {
+    poses::BoneNames names;
+    std::set<std::string> used;
+    for (const std::size_t index : moved.chosen) {
+        std::vector<std::string>& bones = names.emplace_back();
+        for (const int bone : upload.found.chains[index].bones) {
+            bones.push_back(upload.character.nodes[static_cast<std::size_t>(bone)].name);
+            if (!used.insert(bones.back()).second && format == Format::kVmd)
+                return fields_problem({{ProblemCode::kConflict,
+                                        "?format",
+                                        bones.back(),
+                                        "another format than vmd, since two of the bones have this name",
+                                        {},
+                                        {}}});
+        }
+    }
+    return names;
+}
+
+/// Chains as a format wants them. In glTF's axes MikuMikuDance's models look to +Z, so others are turned around for it.
+std::vector<Chain> facing_as(Format format, const Upload& upload, std::vector<Chain> chains) {
+    if (format != Format::kVmd || !upload.character.faces_minus_z) return chains;
+    constexpr Quat kHalfTurn{0, 1, 0, 0};
+    for (Chain& chain : chains) {
+        chain.parent_rotation = kHalfTurn * chain.parent_rotation;
+        for (Vec3& node : chain.nodes) node = rotated(kHalfTurn, node);
+    }
+    return chains;
+}
+
+Answer tool_file(const Upload& upload, const Moved& moved, Format format, const FileOptions& options,
+                 const Context& context) {
+    auto names = bone_names(upload, moved, format);
+    if (auto* problem = std::get_if<Problem>(&names)) return std::move(*problem);
+    const std::vector<Chain> chains = facing_as(format, upload, moved.chains);
+    Answer answer =
+        motion_file({chains, moved.motion, "chain", "/chains", "character", std::get<poses::BoneNames>(names)}, format,
+                    options, context.limits);
+    if (auto* problem = std::get_if<Problem>(&answer)) return as_query_problem(std::move(*problem), kQueryFields);
+    return answer;
 }
 
 std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings& settings, const Moved& moved) {
@@ -173,30 +236,26 @@ std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings
 
 Answer post_character_motion(const Request& request, const Context& context) {
     if (auto problem = check_query(request, names_of(kQueryFields))) return *std::move(problem);
-    auto chosen = choose_format(request, {Format::kGlb, Format::kJson, Format::kXdts, Format::kCsv});
+    auto chosen = choose_format(
+        request, {Format::kGlb, Format::kJson, Format::kXdts, Format::kCsv, Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    const Format format = std::get<Format>(chosen);
+    auto options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
     auto read = read_settings(request, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
     const auto& settings = std::get<Settings>(read);
     auto posted = read_character(request, context.limits);
     if (auto* problem = std::get_if<Problem>(&posted)) return std::move(*problem);
     auto& upload = std::get<Upload>(posted);
-    auto made = move(upload, settings, context);
+    auto made = move(upload, settings, format, context);
     if (auto* problem = std::get_if<Problem>(&made)) return std::move(*problem);
 
     const auto& moved = std::get<Moved>(made);
-    const Format format = std::get<Format>(chosen);
     const Schedule* schedule = &moved.motion.schedule;
-    switch (format) {
-        case Format::kXdts:
-            return formatted(format, sheets::xdts(*schedule, 1), "character", schedule);
-        case Format::kCsv:
-            return formatted(format, sheets::csv(*schedule, 1), "character", schedule);
-        case Format::kJson:
-            return formatted(format, poses_json(upload, settings, moved, context), "character", schedule);
-        default:
-            break;
-    }
+    if (is_motion_file(format)) return tool_file(upload, moved, format, std::get<FileOptions>(options), context);
+    if (format == Format::kJson)
+        return formatted(format, poses_json(upload, settings, moved, context), "character", schedule);
     auto file = file_with_clip(upload, settings, moved);
     if (auto* problem = std::get_if<Problem>(&file)) return std::move(*problem);
     return formatted(Format::kGlb, std::get<std::string>(std::move(file)), "character", schedule);

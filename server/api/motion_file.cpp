@@ -35,8 +35,9 @@ Check check_size(const MovedChains& moved, Format format, int repeat, const Limi
                        "joints times keys in the file", repeat > 1 ? "?repeat" : moved.pointer);
 }
 
-/// The names that the joints have in a GLB of the same chains.
+/// The bones' own names, or those that the joints have in a GLB of the same chains.
 poses::BoneNames bone_names(const MovedChains& moved) {
+    if (!moved.names.empty()) return moved.names;
     const std::vector<std::string> names = gltf::claim_names(moved.chains, moved.kind);
     poses::BoneNames bones;
     for (std::size_t c = 0; c < names.size(); ++c) {

@@ -6,6 +6,7 @@
 #include "api/file_options.hpp"
 #include "api/formats.hpp"
 #include "api/operation.hpp"
+#include "poses/posed_hair.hpp"
 #include "tuftwave/hairstyle.hpp"
 
 namespace tuftwave::server {
@@ -14,9 +15,10 @@ namespace tuftwave::server {
 struct MovedChains {
     std::span<const Chain> chains;
     const HairMotion& motion;
-    std::string kind;     ///< what generated names begin with: "tuft" or "chain"
-    std::string pointer;  ///< the list in the body that they come from
-    std::string file;     ///< what a file is called
+    std::string kind;             ///< what generated names begin with: "tuft" or "chain"
+    std::string pointer;          ///< the list in the body that they come from
+    std::string file;             ///< what a file is called
+    poses::BoneNames names = {};  ///< of the bones, chain by chain; empty: as in a GLB of the same chains
 };
 
 /// Whether a format tells of motion alone: all but meshes, clips and JSON.

@@ -51,8 +51,9 @@ nlohmann::json query_body(const Request& request, std::span<const QueryField> fi
     for (const auto& [name, value] : request.query) {
         const QueryField* const row = row_of(name, fields);
         if (row == nullptr) continue;
-        body[nlohmann::json::json_pointer(std::string(row->place))] =
-            row->is_text ? nlohmann::json(value) : value_in(value);
+        nlohmann::json& place = body[nlohmann::json::json_pointer(std::string(row->place))];
+        place = row->value == QueryValue::kText ? nlohmann::json(value) : value_in(value);
+        if (row->value == QueryValue::kNumbers && place.is_number()) place = nlohmann::json::array({place});
     }
     return body;
 }

@@ -10,11 +10,14 @@
 
 namespace tuftwave::server {
 
+/// How a parameter's text is read: as what it looks like, as text always, as a list of numbers even if it is one.
+enum class QueryValue { kAny, kText, kNumbers };
+
 /// A query parameter, and where it stands in the body that the query stands for.
 struct QueryField {
     std::string_view name;
     std::string_view place;  ///< JSON pointer, e.g. "/timing/period"
-    bool is_text = false;    ///< stays text even if it looks like a number
+    QueryValue value = QueryValue::kAny;
 };
 
 /// The names of the parameters, and "format".

@@ -268,6 +268,16 @@ bool Fields::has_triples(std::string_view name) {
     return false;
 }
 
+void Fields::numbers(std::string_view name, std::size_t most, Range range, std::vector<double>& into) {
+    items(name, most, [&](const json& item, const Place& place) {
+        const std::optional<double> number = as_number(item);
+        if (!number) return problems_.add({ProblemCode::kWrongType, place.pointer(), echo(item), "a number", {}, {}});
+        if (const Check wrong = check_range(*number, range, ""))
+            return problems_.add(to_field_problem(*wrong, place.pointer()));
+        into.push_back(*number);
+    });
+}
+
 void Fields::flat_vectors(std::string_view name, std::size_t most, std::vector<Vec3>& into) {
     if (!has_triples(name)) return;
     std::vector<double> numbers;

@@ -17,7 +17,6 @@
 #include "tuftwave/schedule.hpp"
 
 namespace tuftwave::server {
-
 /// Seeds: whole numbers up to 2^53 - 1, which every JSON reader keeps.
 inline constexpr Range kSeedRange{0, 9007199254740991};
 
@@ -61,6 +60,7 @@ class Fields {
 
     void number(std::string_view name, double& into);
     void number(std::string_view name, std::optional<double>& into);  // null empties it
+    void numbers(std::string_view name, std::size_t most, Range range, std::vector<double>& into);
     void integer(std::string_view name, Range range, int& into);
     void integer(std::string_view name, Range range, std::optional<int>& into);
     void seed(std::string_view name, std::uint64_t& into);

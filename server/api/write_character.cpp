@@ -2,9 +2,12 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "api/choices.hpp"
 #include "api/write_nouns.hpp"
+#include "character/riding.hpp"
+#include "tuftwave/motion.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -53,6 +56,52 @@ Json skipped_json(const Upload& upload) {
     return skipped;
 }
 
+/// One chain in one picture, model space; a place and a turn away from rest per node.
+struct Pose {
+    std::vector<Vec3> positions;
+    std::vector<Quat> turns;
+};
+
+/// Every chain's pose in every picture: [chain][picture].
+using Poses = std::vector<std::vector<Pose>>;
+
+std::vector<Pose> own_poses(const Chain& chain, const ChainMotion& motion) {
+    const std::size_t nodes = chain.nodes.size();
+    const std::vector<Quat> turns = model_turns(chain, motion.rotations);
+    std::vector<Pose> poses;
+    for (std::size_t first = 0; first < turns.size(); first += nodes) {
+        const auto begin = turns.begin() + static_cast<std::ptrdiff_t>(first);
+        poses.push_back({node_positions(chain, std::span(motion.rotations).subspan(first, nodes)),
+                         {begin, begin + static_cast<std::ptrdiff_t>(nodes)}});
+    }
+    return poses;
+}
+
+/// Moves a chain along with the bone that it hangs on.
+void carry(std::vector<Pose>& poses, const std::vector<Pose>& carriers, std::size_t bone, const Vec3& rest) {
+    for (std::size_t n = 0; n < poses.size(); ++n) {
+        const Quat& turn = carriers[n].turns[bone];
+        for (Vec3& place : poses[n].positions) place = carriers[n].positions[bone] + rotated(turn, place - rest);
+        for (std::size_t i = 0; i < poses[n].turns.size(); ++i) {
+            Quat& own = poses[n].turns[i];
+            own = turn * own;
+            if (n == 0 ? own.w < 0 : dot(own, poses[n - 1].turns[i]) < 0) own = -own;
+        }
+    }
+}
+
+Poses all_poses(const Upload& upload, std::span<const FoundChain> moved, std::span<const Chain> chains,
+                const HairMotion& motion) {
+    Poses poses;
+    for (std::size_t c = 0; c < chains.size(); ++c) poses.push_back(own_poses(chains[c], motion.chains[c]));
+    const auto rides = character::find_rides(upload.character, moved);
+    for (const std::size_t c : character::riding_order(upload.character, moved)) {
+        if (rides[c])
+            carry(poses[c], poses[rides[c]->chain], rides[c]->bone, chains[rides[c]->chain].nodes[rides[c]->bone]);
+    }
+    return poses;
+}
+
 }  // namespace
 
 Json found_chain_json(const Upload& upload, std::size_t index) {
@@ -87,19 +136,29 @@ Json found_chains_json(const Upload& upload) {
             {"skipped", skipped_json(upload)}};
 }
 
-Json character_pictures_json(const Upload& upload, std::span<const std::size_t> chosen, std::span<const Chain> chains,
+Json character_pictures_json(const Upload& upload, std::span<const FoundChain> moved, std::span<const Chain> chains,
                              const HairMotion& motion, const std::stop_token& stop) {
-    Json pictures = pictures_json(chains, motion, stop);
-    for (std::size_t n = 0; n < pictures.size(); ++n) {
-        for (std::size_t c = 0; c < chosen.size(); ++c) {
-            const FoundChain& chain = upload.found.chains[chosen[c]];
-            const std::size_t first = n * chains[c].nodes.size();
-            Json& rotations = pictures[n]["chains"][c]["rotations"];
-            for (std::size_t i = 0; i < chain.bones.size(); ++i) {
-                const Quat& rotation = motion.chains[c].rotations[first + i];
-                rotations[i] = pose_json(character::to_node_rotation(upload.character, chain, i, rotation));
+    const Poses poses = all_poses(upload, moved, chains, motion);
+    Json pictures = Json::array();
+    for (std::size_t n = 0; n < static_cast<std::size_t>(motion.schedule.pictures) && !stop.stop_requested(); ++n) {
+        Json of_chains = Json::array();
+        for (std::size_t c = 0; c < moved.size(); ++c) {
+            const std::size_t nodes = chains[c].nodes.size();
+            Json rotations = Json::array(), turns = Json::array(), positions = Json::array();
+            for (std::size_t i = 0; i < nodes; ++i) {
+                const Quat& rotation = motion.chains[c].rotations[n * nodes + i];
+                const bool is_tip = i + 1 == nodes;
+                rotations.push_back(pose_json(
+                    is_tip ? rotation : character::to_node_rotation(upload.character, moved[c], i, rotation)));
+                turns.push_back(pose_json(poses[c][n].turns[i]));
+                positions.push_back(pose_json(poses[c][n].positions[i]));
             }
+            of_chains.push_back({{"name", chains[c].name},
+                                 {"rotations", std::move(rotations)},
+                                 {"turns", std::move(turns)},
+                                 {"positions", std::move(positions)}});
         }
+        pictures.push_back({{"chains", std::move(of_chains)}});
     }
     return pictures;
 }

@@ -15,11 +15,11 @@ nlohmann::ordered_json found_chain_json(const Upload& upload, std::size_t index)
 /// All of them, what was left out, and where the head is.
 nlohmann::ordered_json found_chains_json(const Upload& upload);
 
-/// Every moved chain's pose, picture by picture: the rotation of each bone's node and where bones and tip are.
-/// @param chosen  indices into upload.found.chains
+/// Every moved chain's pose, picture by picture: the rotation of each bone's node, how it is turned away from rest, and
+/// where bones and tip are. A chain that hangs on another one moves along with it.
 /// @param chains  the same, as core moved them
 /// Incomplete once `stop` is set.
-nlohmann::ordered_json character_pictures_json(const Upload& upload, std::span<const std::size_t> chosen,
+nlohmann::ordered_json character_pictures_json(const Upload& upload, std::span<const character::FoundChain> moved,
                                                std::span<const Chain> chains, const HairMotion& motion,
                                                const std::stop_token& stop);
 

@@ -1,6 +1,7 @@
 #include "poses/posed_hair.hpp"
 
 #include <charconv>
+#include <map>
 #include <set>
 
 namespace tuftwave::server::poses {
@@ -20,6 +21,7 @@ std::vector<Quat> bone_turns(const Chain& chain, std::span<const Quat> rotations
 
 BoneNames legal_names(const BoneNames& names, bool (*is_allowed)(char), const std::string& taken) {
     std::set<std::string> used{taken};
+    std::map<std::string, int> next;  // number to try for a name that is used
     BoneNames legal;
     for (const std::vector<std::string>& chain : names) {
         std::vector<std::string>& made = legal.emplace_back();
@@ -27,7 +29,8 @@ BoneNames legal_names(const BoneNames& names, bool (*is_allowed)(char), const st
             for (char& c : name) c = is_allowed(c) ? c : '_';
             if (name.empty() || (name.front() >= '0' && name.front() <= '9')) name.insert(0, "_");
             std::string unique = name;
-            for (int number = 2; !used.insert(unique).second; ++number) unique = name + "_" + std::to_string(number);
+            for (int& number = next.try_emplace(name, 2).first->second; !used.insert(unique).second; ++number)
+                unique = name + "_" + std::to_string(number);
             made.push_back(std::move(unique));
         }
     }
