@@ -15,6 +15,9 @@ class Laying {
     /// The turn of bone `i` away from its rest pose at wave angle `angle`, radians.
     Quat turn(std::size_t i, double angle) const;
 
+    /// What a bone turns about, unit.
+    const Vec3& axis() const { return axis_; }
+
   private:
     Vec3 axis_;                // unit; a positive angle turns the hair towards up, or outward when one-sided
     std::vector<Quat> lifts_;  // from rest towards the wind: one for the whole chain, or one per bone in absolute mode
