@@ -162,7 +162,9 @@ Fit fit_wave(const Drawing& drawing, const FitSettings& settings, const Schedule
     fit.is_complete = true;
     warn_if(plane.pictures() == 2, FitWarning::kTwoPictures);
     warn_if(is_still, FitWarning::kStill);
-    if (!is_still || !plane.is_centered) {
+    if (stop.stop_requested()) {
+        fit.is_complete = false;
+    } else if (!is_still || !plane.is_centered) {
         Search search(plane, settings, limits, stop);
         search.run();
         fit.wave = search.wave();

@@ -15,6 +15,7 @@
 
 #include "tuftwave/elementary.hpp"
 #include "tuftwave/fill.hpp"
+#include "tuftwave/fit.hpp"
 #include "tuftwave/hairstyle.hpp"
 #include "tuftwave/quality.hpp"
 #include "tuftwave/random.hpp"
@@ -282,6 +283,47 @@ void hash_fills() {
     print_plan("filled", hairstyle);
 }
 
+/// Drawings of a known wave, each node moved a little, and scribbles of no wave at all.
+std::vector<Drawing> drawings_of(Numbers& numbers, double noise) {
+    std::vector<Drawing> drawings;
+    for (int i = 0; i < 30; ++i) {
+        const int nodes = 3 + numbers.below(9), pictures = 2 + numbers.below(7);
+        Drawing drawing;
+        for (int n = 0; n < pictures; ++n) {
+            Line line{{0, 0, 0}};
+            for (int node = 1; node < nodes; ++node) {
+                const double height = 0.1 * node * elementary::cos(0.4 * node - 2 * kPi * n / pictures);
+                line.push_back(Vec3{0.1 * node, -height - 0.02 * node, 0} + numbers.in_cube(noise));
+            }
+            drawing.pictures.push_back(line);
+        }
+        drawings.push_back(drawing);
+    }
+    return drawings;
+}
+
+void hash_fits() {
+    Numbers numbers(23);
+    for (const auto& [name, noise] : {std::pair{"fits", 0.002}, {"fits of scribbles", 1.0}}) {
+        Hash hash;
+        const std::vector<Drawing> drawings = drawings_of(numbers, noise);
+        for (const Mode mode : {Mode::kRelative, Mode::kAbsolute}) {
+            FitSettings settings;
+            settings.mode = mode;
+            const Result<std::vector<Fit>> fits = fit_waves(drawings, settings, nullptr, {}, InOrder(), {});
+            for (const Fit& fit : *fits) {
+                const Wave& wave = fit.wave;
+                for (const double number : {wave.amplitude, wave.spatial_period, wave.lightness, wave.tip_exponent,
+                                            fit.phase, fit.error.mean.angle, fit.still.mean.position})
+                    hash.add(number);
+                for (const Vec3& node : fit.rest) hash.add(node);
+                hash.add(static_cast<std::uint64_t>(fit.steps));
+            }
+        }
+        hash.print(name);
+    }
+}
+
 void hash_schedules_and_quality() {
     Numbers numbers(3);
     Hash schedules, crossings;
@@ -318,5 +360,6 @@ int main(int count, char** arguments) {
     tuftwave::hash_meshes();
     tuftwave::hash_motions();
     tuftwave::hash_fills();
+    tuftwave::hash_fits();
     tuftwave::hash_schedules_and_quality();
 }
