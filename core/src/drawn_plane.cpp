@@ -113,7 +113,7 @@ std::vector<double> segment_lengths(const std::vector<Line>& pictures) {
     return lengths;
 }
 
-DrawnPlane::DrawnPlane(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule)
+DrawnPlane::DrawnPlane(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule, int cycles)
     : rest(rest_of(drawing, settings)), is_centered(settings.mode == Mode::kRelative) {
     const std::vector<double> lengths = segment_lengths({rest});
     x.push_back(0);
@@ -129,7 +129,7 @@ DrawnPlane::DrawnPlane(const Drawing& drawing, const FitSettings& settings, cons
     }
     for (std::size_t n = 0; n < drawing.pictures.size(); ++n) {
         const Line& line = drawing.pictures[n];
-        phases.push_back(picture_phase(schedule, static_cast<int>(n)));
+        phases.push_back(picture_phase(schedule, static_cast<int>(n), cycles));
         for (std::size_t i = 1; i < line.size(); ++i) nodes.push_back(plane.of((line[i] - line[0]) / rest_length));
     }
 }

@@ -15,7 +15,8 @@ struct PlanePoint {
 /// A drawing as its wave sees it: each bone an arm of fixed length that turns in the plane across the chain's axis.
 /// What lies along the axis no wave can change.
 struct DrawnPlane {
-    DrawnPlane(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule);
+    /// @param cycles  waves per loop
+    DrawnPlane(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule, int cycles);
 
     std::size_t bones() const { return arms.size(); }
     std::size_t pictures() const { return phases.size(); }

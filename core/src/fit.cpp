@@ -10,107 +10,16 @@
 #include <utility>
 
 #include "drawn_plane.hpp"
-#include "fit_refine.hpp"
-#include "fit_start.hpp"
-#include "tuftwave/elementary.hpp"
+#include "fit_search.hpp"
 #include "tuftwave/vector_checks.hpp"
-#include "wave_unknowns.hpp"
 
 namespace tuftwave {
 namespace {
 
-constexpr int kTrialSteps = 8;   // enough to tell which starts lead somewhere
-constexpr int kFinalSteps = 40;  // enough to tell which of the nearest is the best
-constexpr std::size_t kFinalists = 4;
-constexpr double kGuesses[] = {1.2, 0.4, 4};  // of the lightness, where only a refinement can tell it
-constexpr double kSure = 3;                   // standard deviations by which a droop must differ from none
-constexpr double kStillShare = 1e-9;          // of the rest length: pictures nearer than this are one picture
-
-bool is_nearer(const Refinement& a, const Refinement& b) { return a.cost() < b.cost(); }
-
-/// One drawing's search for its wave.
-class Search {
-  public:
-    Search(const DrawnPlane& plane, const FitSettings& settings, const Limits& limits, std::stop_token stop)
-        : plane_(plane), settings_(settings), limits_(limits), bounds_(plane, limits), stop_(std::move(stop)) {}
-
-    void run() {
-        const Refinement best = free_wave();
-        const double swing = swing_of(best.unknowns()), droop = best.unknowns()[kDroop];
-        const double uncertain = kSure * best.droop_deviation();
-        const double lightness = droop == 0 ? limits_.lightness.maximum : swing / droop;
-        const Range range = lightness_range(swing, limits_);
-        is_droop_known_ = std::abs(droop) > uncertain && is_within(std::abs(lightness), range);
-        lightness_ = lightness;
-        unknowns_ = best.unknowns();
-        if (is_droop_known_) return;
-        // A relative motion hardly shows its droop; of the waves that fit, the most usual one is taken.
-        if (plane_.is_centered)
-            lightness_ = swing / std::clamp(swing / Wave{}.lightness, droop - uncertain, droop + uncertain);
-        const double size = std::isfinite(lightness_) ? std::abs(lightness_) : range.maximum;
-        lightness_ = (lightness_ < 0 ? -1 : 1) * std::clamp(size, range.minimum, range.maximum);
-        Refinement tied(plane_, bounds_, unknowns_, lightness_);
-        follow(tied, settings_.steps);
-        is_complete_ = is_complete_ && tied.is_settled();
-        unknowns_ = tied.unknowns();
-    }
-
-    Wave wave() const { return wave_of(unknowns_, lightness_, limits_); }
-    double phase() const { return elementary::atan2(unknowns_[kSine], unknowns_[kCosine]); }
-    int steps() const { return steps_; }
-    bool is_complete() const { return is_complete_; }
-    bool is_droop_known() const { return is_droop_known_; }
-
-  private:
-    /// Takes at most `most` steps, and none beyond the budget.
-    void follow(Refinement& refinement, int most) {
-        for (int i = 0; i < most && !refinement.is_settled(); ++i) {
-            if (steps_ >= settings_.steps || stop_.stop_requested()) return;
-            refinement.step();
-            ++steps_;
-        }
-    }
-
-    /// The likeliest waves, a few steps on, the nearest first. A relative motion hardly shows its droop: there each is
-    /// tried with several lightnesses.
-    std::vector<Refinement> trials() {
-        std::vector<std::optional<double>> guesses{std::nullopt};
-        if (plane_.is_centered) guesses.assign(std::begin(kGuesses), std::end(kGuesses));
-        std::vector<Refinement> trials;
-        for (const WaveUnknowns& start : likely_waves(plane_, bounds_)) {
-            for (const std::optional<double> lightness : guesses) {
-                trials.emplace_back(plane_, bounds_, start, lightness);
-                follow(trials.back(), kTrialSteps);
-            }
-        }
-        std::stable_sort(trials.begin(), trials.end(), is_nearer);
-        return trials;
-    }
-
-    /// The best wave whose droop is free.
-    Refinement free_wave() {
-        std::vector<Refinement> finalists;
-        for (const Refinement& trial : trials()) {
-            finalists.emplace_back(plane_, bounds_, trial.unknowns(), std::nullopt);
-            follow(finalists.back(), kFinalSteps);
-            if (finalists.size() == kFinalists) break;
-        }
-        Refinement best = *std::min_element(finalists.begin(), finalists.end(), is_nearer);
-        follow(best, settings_.steps);
-        is_complete_ = best.is_settled();
-        return best;
-    }
-
-    const DrawnPlane& plane_;
-    const FitSettings& settings_;
-    const Limits& limits_;
-    WaveBounds bounds_;
-    std::stop_token stop_;
-    WaveUnknowns unknowns_{};
-    double lightness_ = 1;
-    int steps_ = 0;
-    bool is_complete_ = false, is_droop_known_ = false;
-};
+constexpr double kStillShare = 1e-9;  // of the rest length: pictures nearer than this are one picture
+constexpr double kExactShare = 1e-9;  // the same for a wave's nodes: nothing comes nearer
+constexpr int kMostCycles = 3;        // that are tried unasked
+constexpr double kMuchNearer = 0.75;  // of the cost: what more waves per loop must gain, since noise favours them too
 
 /// Pictures evenly over a cycle, each held for one frame.
 Schedule even_schedule(std::size_t pictures) {
@@ -139,6 +48,7 @@ std::vector<Line> moved_lines(const Fit& fit, const FitSettings& settings, const
     chain.nodes = fit.rest;
     chain.rest_rotations.resize(fit.rest.size());
     chain.phase = fit.phase;
+    chain.cycles = fit.cycles;
     const auto moved =
         *move_chains({&chain, 1}, motion_of(fit.wave, settings), schedule, limits, InOrder(), std::stop_token{});
     std::vector<Line> lines;
@@ -148,9 +58,43 @@ std::vector<Line> moved_lines(const Fit& fit, const FitSettings& settings, const
     return lines;
 }
 
+/// Numbers of waves per loop that the pictures can show.
+std::vector<int> likely_cycles(const FitSettings& settings, std::size_t pictures) {
+    if (settings.cycles) return {*settings.cycles};
+    std::vector<int> cycles{1};
+    for (int more = 2; more <= kMostCycles && 2 * static_cast<std::size_t>(more) < pictures; ++more)
+        cycles.push_back(more);
+    return cycles;
+}
+
+/// Looks for the wave with every likely number of cycles and sets what was found.
+/// @return  whether the droop is known
+bool find_fit(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule, const Limits& limits,
+              const std::stop_token& stop, Fit& fit) {
+    SearchBudget budget{settings.steps, 0, stop};
+    FoundWave best;
+    for (const int cycles : likely_cycles(settings, drawing.pictures.size())) {
+        const DrawnPlane plane(drawing, settings, schedule, cycles);
+        const auto nodes = static_cast<double>(plane.nodes.size());
+        const bool is_first = budget.taken == 0;
+        if (!is_first && best.cost < kExactShare * kExactShare * nodes) break;
+        if (!is_first && budget.is_spent()) fit.is_complete = false;
+        if (budget.is_spent()) break;
+        const FoundWave found = find_wave(plane, budget, limits);
+        fit.is_complete = fit.is_complete && found.is_complete;
+        if (!is_first && found.cost >= kMuchNearer * best.cost) continue;
+        best = found;
+        fit.cycles = cycles;
+    }
+    fit.wave = best.wave;
+    fit.phase = best.phase;
+    fit.steps = budget.taken;
+    return best.is_droop_known;
+}
+
 Fit fit_wave(const Drawing& drawing, const FitSettings& settings, const Schedule& schedule, const Limits& limits,
              const std::stop_token& stop) {
-    const DrawnPlane plane(drawing, settings, schedule);
+    const DrawnPlane plane(drawing, settings, schedule, 1);
     Fit fit;
     fit.rest = plane.rest;
     fit.still = still_error(drawing.pictures, plane.rest_length);
@@ -159,19 +103,13 @@ Fit fit_wave(const Drawing& drawing, const FitSettings& settings, const Schedule
         if (condition) fit.warnings.push_back(warning);
     };
     fit.wave.amplitude = 0;
-    fit.is_complete = true;
+    fit.cycles = settings.cycles.value_or(1);
+    fit.is_complete = !stop.stop_requested();
     warn_if(plane.pictures() == 2, FitWarning::kTwoPictures);
     warn_if(is_still, FitWarning::kStill);
-    if (stop.stop_requested()) {
-        fit.is_complete = false;
-    } else if (!is_still || !plane.is_centered) {
-        Search search(plane, settings, limits, stop);
-        search.run();
-        fit.wave = search.wave();
-        fit.phase = search.phase();
-        fit.steps = search.steps();
-        fit.is_complete = search.is_complete();
-        warn_if(!search.is_droop_known(), FitWarning::kDroopNotIdentifiable);
+    if (fit.is_complete && (!is_still || !plane.is_centered)) {
+        const bool is_droop_known = find_fit(drawing, settings, schedule, limits, stop, fit);
+        warn_if(!is_droop_known, FitWarning::kDroopNotIdentifiable);
     }
     fit.error = *measure_error(moved_lines(fit, settings, schedule, limits), drawing.pictures, plane.rest_length);
     warn_if(!is_still && fit.error.mean.position >= fit.still.mean.position, FitWarning::kNoBetterThanStill);
@@ -182,20 +120,12 @@ Error no_length(const std::string& field) {
     return {ErrorCode::kDegenerate, field, {}, "segments that are at least 1e-9 long in all", {}, {}};
 }
 
-double length_of(std::span<const Line> lines) {
-    double whole = 0;
-    for (const Line& line : lines) {
-        for (std::size_t i = 1; i < line.size(); ++i) whole += length(line[i] - line[i - 1]);
-    }
-    return whole / static_cast<double>(lines.size());
-}
-
 Check check_drawing(const Drawing& drawing, const Limits& limits) {
     if (Check wrong = check_count(drawing.pictures.size(), 2, limits.pictures, "/pictures")) return wrong;
     if (Check wrong = check_lines(drawing.pictures, limits)) return within("/pictures", *wrong);
     const std::size_t nodes = drawing.pictures.front().size();
     if (Check wrong = check_count(nodes, 3, limits.nodes_per_chain, "/pictures/0")) return wrong;
-    if (length_of(drawing.pictures) < kShortestDirection) return no_length("/pictures");
+    if (mean_length(drawing.pictures) < kShortestDirection) return no_length("/pictures");
     if (!drawing.rest) return {};
     const Line& rest = *drawing.rest;
     if (rest.size() != nodes)
@@ -208,14 +138,40 @@ Check check_drawing(const Drawing& drawing, const Limits& limits) {
     for (std::size_t i = 0; i < nodes; ++i) {
         if (Check wrong = check_position(rest[i], limits, "/rest/" + std::to_string(i))) return wrong;
     }
-    return length_of({&rest, 1}) < kShortestDirection ? Check(no_length("/rest")) : Check{};
+    return mean_length({&rest, 1}) < kShortestDirection ? Check(no_length("/rest")) : Check{};
 }
 
 Check check_settings(const FitSettings& settings, const Limits& limits) {
     if (Check wrong = check_direction(settings.wind, limits, "/wind")) return wrong;
     if (Check wrong = check_direction(settings.up, limits, "/up")) return wrong;
     if (Check wrong = check_not_parallel(settings.wind, settings.up, "/wind", "up")) return wrong;
+    if (settings.cycles) {
+        if (Check wrong = check_range(*settings.cycles, limits.cycles, "/cycles")) return wrong;
+    }
     return check_range(settings.steps, limits.fit_steps, "/steps");
+}
+
+/// Whether each drawing has as many pictures as the schedule, and enough for the cycles.
+Check check_pictures(std::span<const Drawing> drawings, const FitSettings& settings, const Schedule* schedule) {
+    for (std::size_t i = 0; i < drawings.size(); ++i) {
+        const std::size_t given = drawings[i].pictures.size();
+        const auto wanted = static_cast<double>(schedule == nullptr ? static_cast<int>(given) : schedule->pictures);
+        if (wanted != static_cast<double>(given))
+            return Error{ErrorCode::kConflict,
+                         "/drawn/" + std::to_string(i) + "/pictures",
+                         static_cast<double>(given),
+                         "as many pictures as the timing gives, " + to_text(wanted),
+                         wanted,
+                         wanted};
+        if (settings.cycles && *settings.cycles != 1 && 2 * static_cast<std::size_t>(*settings.cycles) >= given)
+            return Error{ErrorCode::kConflict,
+                         "/cycles",
+                         static_cast<double>(*settings.cycles),
+                         "1, or fewer than half of the " + std::to_string(given) + " pictures",
+                         {},
+                         {}};
+    }
+    return {};
 }
 
 }  // namespace
@@ -234,13 +190,7 @@ Result<std::vector<Fit>> fit_waves(std::span<const Drawing> drawings, const FitS
                                    const Schedule* schedule, const Limits& limits, const ForEach& for_each,
                                    std::stop_token stop) {
     if (Check wrong = check_settings(settings, limits)) return *wrong;
-    for (std::size_t i = 0; i < drawings.size() && schedule != nullptr; ++i) {
-        const auto wanted = static_cast<std::size_t>(schedule->pictures), given = drawings[i].pictures.size();
-        if (given != wanted)
-            return Error{ErrorCode::kConflict,        "/drawn/" + std::to_string(i) + "/pictures",
-                         static_cast<double>(given),  "as many pictures as the timing gives, " + std::to_string(wanted),
-                         static_cast<double>(wanted), static_cast<double>(wanted)};
-    }
+    if (Check wrong = check_pictures(drawings, settings, schedule)) return *wrong;
     std::vector<Fit> fits(drawings.size());
     for_each(drawings.size(), [&](std::size_t i) {
         const Schedule even = schedule == nullptr ? even_schedule(drawings[i].pictures.size()) : Schedule{};

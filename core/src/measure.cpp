@@ -79,6 +79,26 @@ Result<MotionError> measure_error(std::span<const Line> lines, std::span<const L
     return error;
 }
 
+LineError error_in_all(std::span<const MotionError> chains, std::span<const std::size_t> segments) {
+    LineError sum;
+    double whole = 0;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const double weight = static_cast<double>(segments[i]) * static_cast<double>(chains[i].pictures.size());
+        sum.angle += weight * chains[i].mean.angle;
+        sum.position += weight * chains[i].mean.position;
+        whole += weight;
+    }
+    return {sum.angle / whole, sum.position / whole};
+}
+
+double mean_length(std::span<const Line> lines) {
+    double whole = 0;
+    for (const Line& line : lines) {
+        for (std::size_t i = 1; i < line.size(); ++i) whole += length(line[i] - line[i - 1]);
+    }
+    return whole / static_cast<double>(lines.size());
+}
+
 MotionError still_error(std::span<const Line> reference, double rest_length) {
     const std::vector<Line> still(reference.size(), mean_line(reference));
     return *measure_error(still, reference, rest_length);

@@ -30,6 +30,7 @@ Json counts_json(const Limits& limits) {
             {"joints", limits.joints},
             {"node_poses", limits.node_poses},
             {"joint_keys", limits.joint_keys},
+            {"drawn_nodes", limits.drawn_nodes},
             {"rings_per_tuft", limits.rings_per_tuft},
             {"vertices", limits.vertices},
             {"triangles", limits.triangles},
@@ -70,7 +71,9 @@ Json ranges_json(const Limits& limits) {
             {"gust_wavelength", to_json(limits.gust_wavelength)},
             {"spread", to_json(limits.spread)},
             {"seed", to_json(kSeedRange)},
-            {"repeat", to_json(limits.repeat)}};
+            {"repeat", to_json(limits.repeat)},
+            {"fit_steps", to_json(limits.fit_steps)},
+            {"rest_length", to_json(limits.rest_length)}};
 }
 
 constexpr std::string_view kSwaggerPage = R"(<!doctype html>

@@ -322,4 +322,31 @@ void Fields::done() {
     }
 }
 
+void read_points(const json& value, const Place& place, std::size_t most, FieldProblems& problems,
+                 std::vector<Vec3>& into) {
+    const auto refuse = [&](const json& given, const Place& at, const char* wanted) {
+        problems.add({ProblemCode::kWrongType, at.pointer(), echo(given), wanted, {}, {}});
+    };
+    if (!value.is_array()) return refuse(value, place, "an array of points");
+    if (const Check wrong = check_count(value.size(), 0, most, ""))
+        return problems.add(to_field_problem(*wrong, place.pointer()));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const json& point = value[i];
+        const Place at(place, i);
+        if (!point.is_array() || point.size() < 2 || point.size() > 3) {
+            refuse(point, at, "two or three numbers");
+            continue;
+        }
+        double parts[3] = {};
+        for (std::size_t axis = 0; axis < point.size(); ++axis) {
+            if (const auto number = as_number(point[axis])) {
+                parts[axis] = *number;
+            } else {
+                refuse(point[axis], Place(at, axis), "a number");
+            }
+        }
+        into.push_back({parts[0], parts[1], parts[2]});
+    }
+}
+
 }  // namespace tuftwave::server

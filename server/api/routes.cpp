@@ -6,7 +6,9 @@
 #include "api/about.hpp"
 #include "api/character_chains.hpp"
 #include "api/character_motion.hpp"
+#include "api/evaluations.hpp"
 #include "api/fills.hpp"
+#include "api/fits.hpp"
 #include "api/hair.hpp"
 #include "api/json_guard.hpp"
 #include "api/motions.hpp"
@@ -16,7 +18,7 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<Route, 14> kRoutes{{
+constexpr std::array<Route, 16> kRoutes{{
     {"POST", "/v1/tufts", post_tufts, true},
     {"POST", "/v1/fills", post_fills, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
@@ -25,6 +27,8 @@ constexpr std::array<Route, 14> kRoutes{{
     {"POST", "/v1/characters/motion", post_character_motion, true, true},
     {"GET", "/v1/schedules", get_schedules, false},
     {"POST", "/v1/schedules", post_schedules, true},
+    {"POST", "/v1/evaluations", post_evaluations, true},
+    {"POST", "/v1/fits", post_fits, true},
     {"GET", "/v1/limits", get_limits, false},
     {"GET", "/v1/version", get_version, false},
     {"GET", "/", get_docs, false},

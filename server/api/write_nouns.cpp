@@ -120,18 +120,10 @@ Json to_json(const Phasing& phase) {
 }
 
 Json to_json(const Motion& motion) {
-    const Wave& wave = motion.wave;
-    Json json{{"wave",
-               {{"amplitude", wave.amplitude},
-                {"spatial_period", wave.spatial_period},
-                {"lightness", wave.lightness},
-                {"tip_exponent", wave.tip_exponent}}},
-              {"timing", to_json(motion.timing)},
-              {"mode", word_of(kModes, motion.mode)},
-              {"wind", to_json(motion.wind)},
-              {"up", to_json(motion.up)},
-              {"one_sided", motion.one_sided},
-              {"phase", to_json(motion.phase)}};
+    Json json{
+        {"wave", wave_json(motion.wave)}, {"timing", to_json(motion.timing)}, {"mode", word_of(kModes, motion.mode)},
+        {"wind", to_json(motion.wind)},   {"up", to_json(motion.up)},         {"one_sided", motion.one_sided},
+        {"phase", to_json(motion.phase)}};
     if (motion.droop) json["droop"] = word_of(kDroops, *motion.droop);
     if (motion.lift) json["lift"] = *motion.lift;
     return json;
@@ -172,6 +164,13 @@ Json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look) {
     if (hairstyle.mesh.rings) json["mesh"]["rings"] = *hairstyle.mesh.rings;
     if (hairstyle.formulas != Formulas::kCorrected) json["formulas"] = word_of(kFormulas, hairstyle.formulas);
     return json;
+}
+
+Json wave_json(const Wave& wave) {
+    return {{"amplitude", wave.amplitude},
+            {"spatial_period", wave.spatial_period},
+            {"lightness", wave.lightness},
+            {"tip_exponent", wave.tip_exponent}};
 }
 
 Json tuft_json(const Tuft& tuft) { return to_json(tuft); }

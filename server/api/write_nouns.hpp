@@ -17,6 +17,7 @@ namespace tuftwave::server {
 nlohmann::ordered_json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look);
 nlohmann::ordered_json tuft_json(const Tuft& tuft);
 nlohmann::ordered_json fill_report_json(const FillReport& report);
+nlohmann::ordered_json wave_json(const Wave& wave);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
 
 /// Every chain's rotations, turns and positions, picture by picture; incomplete once `stop` is set.

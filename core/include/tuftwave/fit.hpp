@@ -30,7 +30,8 @@ struct FitSettings {
     Mode mode = Mode::kRelative;  ///< relative: droop removed; absolute: the drawn line lies along the wind, droop kept
     Vec3 wind{1, 0, 0};           ///< any length but zero
     Vec3 up{0, 1, 0};             ///< not parallel to the wind
-    int steps = 400;              ///< most refinements per drawing; counted, not timed, so that the answer is the same
+    std::optional<int> cycles;    ///< waves per loop; without it, 1, or 2 or 3 where that comes much nearer
+    int steps = 1'000;            ///< most refinements per drawing; counted, not timed, so that the answer is the same
                                   ///< on every machine
 };
 
@@ -46,6 +47,7 @@ enum class FitWarning {
 struct Fit {
     Wave wave;
     double phase = 0;          ///< radians in [-pi, pi]: what the chain runs ahead
+    int cycles = 1;            ///< waves per loop
     Line rest;                 ///< nodes of the chain that, moved by this wave and phase, gives the fitted lines
     MotionError error;         ///< of the fitted lines
     MotionError still;         ///< of holding the drawn pictures' mean still
@@ -62,10 +64,11 @@ Check check_drawings(std::span<const Drawing> drawings, const Limits& limits);
 /// Fits one wave to each drawing, by the least squares of its nodes' distances.
 /// @param drawings  checked
 /// @param schedule  says at which phases the pictures were drawn; null: evenly over the cycle
-/// @errors  out_of_range, not_finite, degenerate below "/wind", "/up", "/steps"; conflict below "/drawn" (not as many
-///          pictures as the schedule has)
+/// @errors  out_of_range, not_finite, degenerate below "/wind", "/up", "/cycles", "/steps"; conflict at "/cycles" (too
+///          few pictures for so many) and below "/drawn" (not as many pictures as the schedule has)
 /// Cost O(steps * pictures * nodes) for each drawing. Once `stop` is set, each fit is the best so far. Deterministic
-/// for any `for_each`. Source: Furukawa and Nakata 2018, eq. (1), read backwards.
+/// for any `for_each`.
+/// Source: Furukawa and Nakata 2018, eq. (1), read backwards.
 Result<std::vector<Fit>> fit_waves(std::span<const Drawing> drawings, const FitSettings& settings,
                                    const Schedule* schedule, const Limits& limits, const ForEach& for_each,
                                    std::stop_token stop);

@@ -71,6 +71,7 @@ struct Limits {
     Range spread{0, 1};
     Range repeat{1, 1'440};  ///< cycles in a sheet
     Range fit_steps{1, 1'000};
+    Range rest_length{1e-9, 1e9};  ///< of a drawn chain, in its own unit
 };
 
 /// False also for what is not a number.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -40,5 +41,12 @@ Result<MotionError> measure_error(std::span<const Line> lines, std::span<const L
 /// The error of holding the mean of the pictures still, without which an error says little.
 /// @param reference  checked
 MotionError still_error(std::span<const Line> reference, double rest_length);
+
+/// Several chains together. Every segment and every node but the roots counts the same, in every picture.
+/// @param segments  of each chain
+LineError error_in_all(std::span<const MotionError> chains, std::span<const std::size_t> segments);
+
+/// The mean over the pictures of a chain's length. @param lines  checked
+double mean_length(std::span<const Line> lines);
 
 }  // namespace tuftwave

@@ -1,0 +1,58 @@
+#include "api/drawn_lines.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/read_nouns.hpp"
+
+namespace tuftwave::server {
+namespace {
+
+using nlohmann::json;
+using Json = nlohmann::ordered_json;
+
+void read_pictures(Fields& fields, FieldProblems& problems, const Limits& limits, std::vector<Line>& into) {
+    fields.require("pictures");
+    fields.items("pictures", limits.pictures, [&](const json& picture, const Place& at) {
+        read_points(picture, at, limits.nodes_per_chain, problems, into.emplace_back());
+    });
+}
+
+}  // namespace
+
+void read_compared_lines(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+                         ComparedLines& into) {
+    Fields fields(value, place, problems);
+    fields.text("name", kLongestName, into.name);
+    read_pictures(fields, problems, limits, into.pictures);
+    fields.number("rest_length", into.rest_length);
+    fields.done();
+}
+
+void read_fitted_lines(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+                       Drawing& into) {
+    Fields fields(value, place, problems);
+    fields.text("name", kLongestName, into.name);
+    read_pictures(fields, problems, limits, into.pictures);
+    fields.optional_member("rest", [&](const json& rest, const Place& at) {
+        read_points(rest, at, limits.nodes_per_chain, problems, into.rest.emplace());
+    });
+    fields.done();
+}
+
+Json error_json(const LineError& error) {
+    return {{"angle_deg", error.angle / kRadiansPerDegree}, {"position_percent", 100 * error.position}};
+}
+
+Json error_json(const MotionError& error) {
+    Json whole = error_json(error.mean);
+    whole["pictures"] = Json::array();
+    for (const LineError& picture : error.pictures) whole["pictures"].push_back(error_json(picture));
+    return whole;
+}
+
+Json no_better_than_still_json() {
+    return {{"code", "no_better_than_still"},
+            {"detail", "Holding the mean of the drawn pictures still is as near to the drawing, or nearer."}};
+}
+
+}  // namespace tuftwave::server
