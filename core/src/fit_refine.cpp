@@ -14,7 +14,7 @@ constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-15;
 constexpr double kMostDamping = 1e10;   // beyond it, steps are too short to change anything
 constexpr double kSmallestStep = 1e-9;  // of the unknowns: the next step would be its square
-constexpr double kSmallestGain = 1e-8;  // of the cost: what is left to gain is far below what noise hides
+constexpr double kSmallestGain = 1e-6;  // of the cost: what is left to gain is far below what noise hides
 constexpr double kSmallestUnknown = 1e-3;
 constexpr double kDiagonalFloor = 1e-9;  // of the largest, so that an unknown without effect stays put
 
