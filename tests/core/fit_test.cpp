@@ -193,6 +193,7 @@ TEST(FitWaves, OfScribblesEndAndStayWithinTheLimits) {
         const Fit fit = fitted(drawing, fit_settings(mode));
         EXPECT_FALSE(check_wave(fit.wave, {})) << round;
         EXPECT_LE(fit.steps, FitSettings{}.steps);
+        EXPECT_GT(fit.steps, 0);
         EXPECT_TRUE(std::isfinite(fit.error.mean.position)) << round;
         EXPECT_LE(std::abs(fit.phase), kPi);
         for (const Vec3& node : fit.rest) EXPECT_TRUE(is_finite(node));
@@ -238,6 +239,25 @@ TEST(FitWaves, KnowWhenThePicturesWereDrawn) {
     EXPECT_FALSE(found(known, fitted(known.drawing, fit_settings(Mode::kAbsolute)), 1e-3));
 }
 
+TEST(FitWaves, FindHowManyWavesPassPerLoop) {
+    Random random(12);
+    for (const int cycles : {1, 2, 3}) {
+        KnownWave known = known_wave({}, Mode::kAbsolute, straight({1, 0, 0}, 8), 0.5, 8);
+        known.chain.cycles = cycles;
+        known.drawing.pictures = pictures(known.chain, known.motion);
+        const Fit exact = fitted(known.drawing, fit_settings(Mode::kAbsolute));
+        EXPECT_EQ(exact.cycles, cycles);
+        EXPECT_TRUE(found(known, exact, 1e-6));
+        add_noise(known.drawing.pictures, 0.006, random);
+        EXPECT_EQ(fitted(known.drawing, fit_settings(Mode::kAbsolute)).cycles, cycles);
+        FitSettings asked = fit_settings(Mode::kAbsolute);
+        asked.cycles = cycles == 1 ? 2 : 1;
+        const Fit other = fitted(known.drawing, asked);
+        EXPECT_EQ(other.cycles, *asked.cycles);
+        EXPECT_GT(other.error.mean.position, 2 * exact.error.mean.position);
+    }
+}
+
 TEST(FitWaves, AreTheSameInAnyOrder) {
     Random random(11);
     std::vector<Drawing> drawings;
@@ -277,6 +297,13 @@ TEST(FitWaves, RefuseWhatTheyCannotUse) {
     settings = {};
     settings.steps = 0;
     EXPECT_TRUE(is_refused(fit(settings), ErrorCode::kOutOfRange, "/steps"));
+    settings = {};
+    settings.cycles = 12;
+    EXPECT_TRUE(is_refused(fit(settings), ErrorCode::kOutOfRange, "/cycles"));
+    settings.cycles = 3;  // in 6 pictures, two of each wave: up and down
+    EXPECT_TRUE(is_refused(fit(settings), ErrorCode::kConflict, "/cycles"));
+    settings.cycles = 2;
+    EXPECT_TRUE(fit(settings));
     const Schedule schedule = schedule_of(timing_of(5));
     EXPECT_TRUE(is_refused(fit({}, &schedule), ErrorCode::kConflict, "/drawn/0/pictures"));
 }

@@ -80,6 +80,19 @@ TEST(StillError, IsTheErrorOfTheMeanPicture) {
     EXPECT_EQ(still_error(std::vector<Line>(3, kLines[0]), 2).mean.angle, 0);
 }
 
+TEST(ErrorInAll, CountsEverySegmentOfEveryPictureTheSame) {
+    // Three segments in one picture and one segment in two: of five, three are off by 1 and two by 6.
+    const std::vector<MotionError> chains{{{1, 10}, {{1, 10}}}, {{6, 60}, {{6, 60}, {6, 60}}}};
+    const std::vector<std::size_t> segments{3, 1};
+    EXPECT_DOUBLE_EQ(error_in_all(chains, segments).angle, 3);
+    EXPECT_DOUBLE_EQ(error_in_all(chains, segments).position, 30);
+}
+
+TEST(MeanLength, IsThatOfWholeChainsOverThePictures) {
+    EXPECT_EQ(mean_length(kLines), 2);
+    EXPECT_EQ(mean_length(std::vector<Line>{kLines[0], {{0, 0, 0}, {0, 0, 0}, {0, 0, 4}}}), 3);
+}
+
 TEST(CheckLines, AcceptsLinesOfAMotion) { EXPECT_FALSE(check_lines(kLines, {})); }
 
 TEST(CheckLines, RefusesWithCodeAndField) {
