@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 
 from bad_fills import FILLS, HAIR_FILLS, origin, scalp
+from bad_lines import EVALUATIONS, FITS
 from rows import LONGEST_CHAIN, LONGEST_STROKE, OTHER_POINT, POINT, REMOVED, SMALL_CHAIN, SMALL_TUFT, Row, outside, outside_whole, placed
 
 HEAD = [
@@ -264,6 +265,8 @@ ROWS: dict[str, list[Row]] = {
                   Row("a sheet of more than ten minutes", {"/repeat": 1440}, "too_many", "/repeat"),
                   Row("period stands in timing", {"/period": 0.45}, "unknown_field", "/period"),
                   Row("no glTF of a sheet", {}, "not_a_choice", "?format", "?format=glb")],
+    "evaluations": [*BODY, *EVALUATIONS, *FORMULAS],
+    "fits": [*BODY, *FITS, *FORMULAS, *[row for row in timing("/timing") if row.changes != {"/timing": None}], undefined_as_printed("/timing")],
 }
 
 # GET /v1/schedules: query, slug, pointer.

@@ -26,9 +26,11 @@ POINT = [0.0, 0.1, 0.05]
 OTHER_POINT = [0.0, 0.05, 0.1]
 LONGEST_STROKE = [[0.0, 0.1 + 0.001 * i, 0.05] for i in range(1024)]
 LONGEST_CHAIN = [[0.0, -0.01 * i, 0.0] for i in range(65)]
+OTHER_LONGEST_CHAIN = [[0.0001 * i * i, -0.01 * i, 0.0] for i in range(65)]
 SMALL_TUFT = {"points": [POINT, OTHER_POINT]}
 OTHER_SMALL_TUFT = {"points": [[0.05, 0.1, 0.0], [0.1, 0.05, 0.0]]}
 SMALL_CHAIN = {"nodes": [POINT, OTHER_POINT]}
+SMALL_LINE_CHAIN = {"nodes": [[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0]]}  # what small_lines() are drawings of
 
 
 def below(limit: float) -> float:
@@ -67,6 +69,11 @@ def tetrahedron() -> dict[str, Any]:
             "triangles": [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2]}
 
 
+def small_lines() -> dict[str, Any]:
+    """Two bones in as many pictures as the default timing has."""
+    return {"pictures": [[[0, 0], [0.1, 0.01 * y], [0.19, 0.03 * y - 0.02]] for y in (0, 1, 1, 0, -1, -1)]}
+
+
 def named_tufts() -> list[dict[str, Any]]:
     return [{**SMALL_TUFT, "name": "a"}, {**OTHER_SMALL_TUFT, "name": "b"}]
 
@@ -79,7 +86,8 @@ def changed(operation: str, changes: dict[str, Any]) -> Any:
 def with_changes(body: Any, changes: dict[str, Any]) -> Any:
     """A body with changes made at JSON pointers, in their order; what is not there yet is an object."""
     whole = {"": copy.deepcopy(body)}
-    for pointer, value in changes.items():
+    for pointer, shared in changes.items():
+        value = shared if shared is REMOVED else copy.deepcopy(shared)  # later changes may go into it
         *path, last = ["", *(part.replace("~1", "/").replace("~0", "~") for part in pointer.split("/")[1:])]
         node: Any = whole
         for part in path:

@@ -9,7 +9,7 @@ from typing import Any, Iterator
 import bad_inputs
 import contract
 import rows
-from rows import REMOVED, around, changed, with_changes
+from rows import REMOVED, changed, with_changes
 from support import ServiceTest
 
 
@@ -33,6 +33,14 @@ def ends(field: Any) -> Iterator[float]:
     yield from (field[keyword] for keyword in ("minimum", "maximum") if keyword in field)
     for part in field.get("oneOf", []) + field.get("allOf", []):
         yield from ends(part)
+
+
+def around(operation: str, pointer: str, body: Any) -> dict[str, Any]:
+    """What must stand around a field so that it alone decides."""
+    changes = rows.around(pointer)
+    if operation == "evaluations" and (pointer == "/chains" or pointer.startswith("/lines/")):  # the one or the other
+        changes.update({"/motion": REMOVED, "/chains": REMOVED, "/lines": [{"pictures": body["drawn"][0]["pictures"]}]})
+    return changes
 
 
 class BadInputs(ServiceTest):
@@ -66,7 +74,7 @@ class BadInputs(ServiceTest):
             for at, what in objects(schema, contract.example(operation)):
                 for name, field in what["properties"].items():
                     for value in (None, True, 7.25, "\u9aea", [True], {"x": 1}):
-                        changes = {**around(f"{at}/{name}"), f"{at}/{name}": value}
+                        changes = {**around(operation, f"{at}/{name}", contract.example(operation)), f"{at}/{name}": value}
                         if at == "/head":
                             changes = {"/head": {}, **changes}
                         body = changed(operation, changes)
@@ -81,7 +89,7 @@ class BadInputs(ServiceTest):
             schema = contract.request_schema(contract.operation(operation))
             for at, _ in objects(schema, contract.example(operation)):
                 with self.subTest(f"{operation} {at}"):
-                    body = changed(operation, {**around(f"{at}/zzz"), f"{at}/zzz": 1})
+                    body = changed(operation, {**around(operation, f"{at}/zzz", contract.example(operation)), f"{at}/zzz": 1})
                     self.assert_problem(self.service.post(f"/v1/{operation}", body), 422, "unknown_field", f"{at}/zzz")
 
     def test_every_field_may_be_left_out_unless_it_is_required(self) -> None:
@@ -90,7 +98,7 @@ class BadInputs(ServiceTest):
             for at, what in objects(schema, contract.example(operation)):
                 for name in what["properties"]:
                     with self.subTest(f"{operation} {at}/{name}"):
-                        body = changed(operation, {**around(f"{at}/{name}"), f"{at}/{name}": REMOVED})
+                        body = changed(operation, {**around(operation, f"{at}/{name}", contract.example(operation)), f"{at}/{name}": REMOVED})
                         answer = self.service.post(f"/v1/{operation}", body)
                         if name in what.get("required", []):
                             self.assert_problem(answer, 422, "missing_field", f"{at}/{name}")
@@ -104,7 +112,8 @@ class BadInputs(ServiceTest):
             schema = contract.request_schema(contract.operation(operation))
             bare = {"tufts": {"tufts": [rows.SMALL_TUFT]}, "hairstyles": {"tufts": [rows.SMALL_TUFT], "motion": {}},
                     "fills": {"fill": {"from": rows.SMALL_TUFT, "to": rows.OTHER_SMALL_TUFT}},
-                    "motions": {"chains": [rows.SMALL_CHAIN]}, "schedules": {}}[operation]
+                    "motions": {"chains": [rows.SMALL_CHAIN]}, "schedules": {},
+                    "evaluations": {"drawn": [rows.small_lines()], "chains": [rows.SMALL_LINE_CHAIN]}, "fits": {"drawn": [rows.small_lines()]}}[operation]
             for at, what in objects(schema, bare):
                 for name, field in what["properties"].items():
                     if "default" in contract.resolve(field):
@@ -112,7 +121,7 @@ class BadInputs(ServiceTest):
                             default = contract.resolve(field)["default"]
                             if operation == "hairstyles" and name == "motion":
                                 continue  # null is stillness, and the body here moves
-                            changes = around(f"{at}/{name}")
+                            changes = around(operation, f"{at}/{name}", bare)
                             without = self.service.post(f"/v1/{operation}", with_changes(bare, {**changes, f"{at}/{name}": REMOVED}))
                             self.assertEqual(without.status, 200, without.body[:300])
                             answer = self.service.post(f"/v1/{operation}", with_changes(bare, {**changes, f"{at}/{name}": default}))
@@ -141,7 +150,9 @@ class BadInputs(ServiceTest):
                 ("fills", "/head/scalp", {"mesh": largest_scalp()}),
                 ("hairstyles", "/fills", [{"from": "ahoge", "density": {"along": 1}}] * 1024),
                 ("motions", "/chains/0/nodes", rows.LONGEST_CHAIN),
-                ("motions", "/chains", [rows.SMALL_CHAIN] * 16384)):
+                ("motions", "/chains", [rows.SMALL_CHAIN] * 16384),
+                ("evaluations", "/drawn/0/name", "\u9aea" * 64),
+                ("fits", "/drawn", [{"pictures": [rows.LONGEST_CHAIN] * 12 + [rows.OTHER_LONGEST_CHAIN] * 12}] * 21)):
             with self.subTest(f"{operation} {pointer}"):
                 answer = self.service.post(f"/v1/{operation}", changed(operation, {pointer: value}))
                 self.assertEqual(answer.status, 200, answer.body[:300])
@@ -150,13 +161,17 @@ class BadInputs(ServiceTest):
 
     def assert_allowed(self, operation: str, pointer: str, value: float) -> None:
         """A value at the end of its range, among others that it gets along with."""
-        changes: dict[str, Any] = {"/timing": {"period": 0.45}, "/tufts": [dict(rows.SMALL_TUFT)], **around(pointer),
+        changes: dict[str, Any] = {"/timing": {"period": 0.45}, "/tufts": [dict(rows.SMALL_TUFT)],
+                                   **around(operation, pointer, contract.example(operation)),
                                    **FRIENDS.get(pointer.rsplit("/", 1)[1], {}).get(value, {})}
-        if operation != "schedules":
+        if operation not in ("schedules", "fits"):
             changes = {pointer.replace("/timing", "/motion/timing"): v for pointer, v in changes.items()}
         known = contract.resolve(contract.request_schema(contract.operation(operation)))["properties"]
         changes = {pointer: v for pointer, v in changes.items() if pointer.split("/")[1] in known}
         answer = self.service.post(f"/v1/{operation}", changed(operation, {**changes, pointer: value}))
+        if operation in ("evaluations", "fits") and answer.status == 422:  # allowed, but not as many pictures as the example has
+            self.assert_problem(answer, 422, "conflict", "/motion/timing" if operation == "evaluations" else "/drawn/0/pictures")
+            return
         self.assertEqual(answer.status, 200, answer.body[:300])
 
 

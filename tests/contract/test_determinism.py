@@ -38,6 +38,14 @@ def dense_fill(**head: Any) -> dict[str, Any]:
     return body
 
 
+def many_drawings() -> dict[str, Any]:
+    """The example's drawing again and again, each a little different: enough to keep every worker busy."""
+    body = contract.example("fits")
+    drawn = body["drawn"][0]
+    body["drawn"] = [{**drawn, "pictures": [[[x * (1 + 0.02 * i), y] for x, y in line] for line in drawn["pictures"]]} for i in range(40)]
+    return body
+
+
 class Determinism(ServiceTest):
     def test_the_number_of_workers_changes_no_byte(self) -> None:
         bodies = {"per tuft": hair(8), "merged": {**hair(8), "mesh": {"layout": "merged", "sides": 7}}, "filled": filled(4)}
@@ -58,7 +66,11 @@ class Determinism(ServiceTest):
                 for word in FORMATS:
                     answer = service.post(f"/v1/motions?format={word}", contract.example("motions"))
                     hashes.setdefault(f"motions {word}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
-        self.assertEqual(len(hashes), ((len(bodies) + 1) * len(FORMATS)) + 3 * len(fills))
+                for path, body in {"fits": many_drawings(), "evaluations": contract.example("evaluations")}.items():
+                    answer = service.post(f"/v1/{path}", body)
+                    self.assertEqual(answer.status, 200, answer.body[:300])
+                    hashes.setdefault(path, {})[workers] = hashlib.sha256(answer.body).hexdigest()
+        self.assertEqual(len(hashes), ((len(bodies) + 1) * len(FORMATS)) + 3 * len(fills) + 2)
         for what, by_workers in hashes.items():
             with self.subTest(what):
                 self.assertEqual(len(set(by_workers.values())), 1, by_workers)

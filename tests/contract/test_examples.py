@@ -8,7 +8,7 @@ import os
 import contract
 from support import ServiceTest, glb_parts
 
-STILL = ("/v1/tufts", "/v1/fills")
+STILL = ("/v1/tufts", "/v1/fills", "/v1/evaluations", "/v1/fits")
 
 
 class Examples(ServiceTest):

@@ -35,11 +35,13 @@ RANGES = {
     "hold": ["Hold"],
     "lift": ["Motion/lift"],
     "phase": ["ChainPhase"],
-    "cycles": ["ChainCycles", "Phasing/cycles"],
+    "cycles": ["ChainCycles", "Phasing/cycles", "FitsRequest/cycles"],
     "gust_wavelength": ["Phasing/gust_wavelength"],
     "spread": ["Phasing/spread"],
     "seed": ["Phasing/seed", "Jitter/seed"],
     "repeat": ["Repeat"],
+    "fit_steps": ["FitsRequest/steps"],
+    "rest_length": ["ComparedLines/rest_length"],
 }
 # Of these the magnitude is served: zero and what is near it are refused on both sides.
 MAGNITUDES = {"spatial_period": "Wave/spatial_period", "lightness": "Wave/lightness"}
@@ -48,23 +50,26 @@ COUNTS = {
     "tufts": [("TuftList", "maxItems")],
     "points_per_tuft": [("Tuft/points", "maxItems")],
     "fills": [("HairstyleRequest/fills", "maxItems")],
-    "chains": [("MotionsRequest/chains", "maxItems")],
-    "nodes_per_chain": [("Chain/nodes", "maxItems"), ("Chain/rest_rotations", "maxItems")],
+    "chains": [("MotionsRequest/chains", "maxItems"), ("FitsRequest/drawn", "maxItems"), ("EvaluationsRequest/drawn", "maxItems"),
+               ("EvaluationsRequest/lines/oneOf/0", "maxItems"), ("EvaluationsRequest/chains/oneOf/0", "maxItems")],
+    "nodes_per_chain": [("Chain/nodes", "maxItems"), ("Chain/rest_rotations", "maxItems"), ("Line", "maxItems")],
     "joints": [("HairstyleAnswer/totals/joints", "maximum")],
     "vertices": [("HairstyleAnswer/totals/vertices", "maximum")],
     "triangles": [("HairstyleAnswer/totals/triangles", "maximum")],
     "rings_per_tuft": [("MeshDetail/rings", "maximum")],
     "frames": [("Schedule/frames", "maximum")],
-    "pictures": [("Schedule/pictures", "maximum")],
+    "pictures": [("Schedule/pictures", "maximum"), ("ComparedLines/pictures", "maxItems"), ("FittedLines/pictures", "maxItems")],
 }
 # The same of lists that hold three numbers for each that is counted.
 TRIPLES = {"scalp_vertices": "ScalpMesh/positions", "scalp_triangles": "ScalpMesh/triangles"}
 # Limits of a whole request, which no keyword of a schema can state.
-OF_WHOLE_REQUESTS = {"points", "node_poses", "joint_keys", "sheet_frames"}
+OF_WHOLE_REQUESTS = {"points", "node_poses", "joint_keys", "drawn_nodes", "sheet_frames"}
 # The smallest sizes of lists follow from what the lists are.
 SMALLEST_SIZES = {"Vec3": 3, "Rotation": 4, "TuftList": 1, "Tuft/points": 2, "Chain/nodes": 2, "Chain/rest_rotations": 2, "MotionsRequest/chains": 1,
-                  "HairstyleRequest/fills": 0, "ScalpEllipsoid/radii": 3, "ScalpMesh/positions": 9, "ScalpMesh/triangles": 3}
-FIXED_SIZES = {"Vec3": 3, "Rotation": 4, "ScalpEllipsoid/radii": 3}
+                  "HairstyleRequest/fills": 0, "ScalpEllipsoid/radii": 3, "ScalpMesh/positions": 9, "ScalpMesh/triangles": 3,
+                  "Point": 2, "Line": 2, "ComparedLines/pictures": 1, "FittedLines/pictures": 2, "FitsRequest/drawn": 1, "EvaluationsRequest/drawn": 1,
+                  "EvaluationsRequest/lines/oneOf/0": 1, "EvaluationsRequest/chains/oneOf/0": 1}
+FIXED_SIZES = {"Vec3": 3, "Point": 3, "Rotation": 4, "ScalpEllipsoid/radii": 3}
 
 
 def field(place: str) -> dict[str, Any]:
@@ -141,5 +146,6 @@ class Limits(ServiceTest):
         self.assertEqual(self.limits["ranges"]["origin"]["maximum"], counts["tufts"] + 2)  # the two of the fill count, too
         self.assertGreaterEqual(self.limits["json_values"], 3 * (counts["scalp_vertices"] + counts["scalp_triangles"]) + 4 * counts["points"])
         self.assertGreaterEqual(counts["node_poses"], counts["nodes_per_chain"] * counts["pictures"])
+        self.assertGreaterEqual(counts["drawn_nodes"], counts["nodes_per_chain"] * counts["pictures"])
 
 
