@@ -36,6 +36,7 @@ Json counts_json(const Limits& limits) {
             {"triangles", limits.triangles},
             {"frames", limits.frames},
             {"sheet_frames", limits.sheet_frames},
+            {"sheet_cells", limits.sheet_cells},
             {"pictures", limits.pictures}};
 }
 

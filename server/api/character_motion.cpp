@@ -208,14 +208,21 @@ std::vector<Chain> facing_as(Format format, const Upload& upload, std::vector<Ch
     return chains;
 }
 
+/// A track of the sheet for each kind of chain that moves.
+std::vector<std::string> blocks(const Upload& upload, const Moved& moved) {
+    std::vector<std::string> kinds;
+    for (const std::size_t index : moved.chosen) kinds.emplace_back(word_of(kKinds, upload.found.chains[index].kind));
+    return kinds;
+}
+
 Answer tool_file(const Upload& upload, const Moved& moved, Format format, const FileOptions& options,
                  const Context& context) {
     auto names = bone_names(upload, moved, format);
     if (auto* problem = std::get_if<Problem>(&names)) return std::move(*problem);
     const std::vector<Chain> chains = facing_as(format, upload, moved.chains);
-    Answer answer =
-        motion_file({chains, moved.motion, "chain", "/chains", "character", std::get<poses::BoneNames>(names)}, format,
-                    options, context.limits);
+    Answer answer = motion_file({chains, moved.motion, "chain", "/chains", "character", blocks(upload, moved),
+                                 std::get<poses::BoneNames>(names)},
+                                format, options, context.limits);
     if (auto* problem = std::get_if<Problem>(&answer)) return as_query_problem(std::move(*problem), kQueryFields);
     return answer;
 }

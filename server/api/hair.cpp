@@ -9,6 +9,7 @@
 #include "api/motion_file.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
+#include "sheets/track_names.hpp"
 #include "tuftwave/hairstyle.hpp"
 
 namespace tuftwave::server {
@@ -110,6 +111,15 @@ Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_
     return report;
 }
 
+/// The drawn tufts are one block, and those of each fill another.
+std::vector<std::string> blocks_of(const Hairstyle& hairstyle, const HairPlan& plan) {
+    std::vector<std::string> blocks{sheets::kHairTrack};
+    for (std::size_t i = 0; i < plan.fills.size(); ++i) {
+        if (plan.fills[i].tuft_count() > 0) blocks.push_back(hairstyle.fills[i].settings.name);
+    }
+    return blocks;
+}
+
 /// What a format needs beyond a hairstyle. @param hair  takes the frame rate that the format prescribes
 std::optional<Problem> prepare_for(Format format, HairRequest& hair, const Limits& limits) {
     if (!is_motion_file(format)) return {};
@@ -137,7 +147,8 @@ Answer answer_hair(const Request& request, const Context& context, Stillness sti
     const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
     if (!plan) return to_problem(at_prescribed_rate(format, plan.error()));
     if (is_motion_file(format))
-        return motion_file({plan->chains, *plan->motion, "tuft", "/tufts", "hair"}, format, options, context.limits);
+        return motion_file({plan->chains, *plan->motion, "tuft", "/tufts", "hair", blocks_of(hair.hairstyle, *plan)},
+                           format, options, context.limits);
     const Schedule* schedule = plan->motion ? &plan->motion->schedule : nullptr;
     if (format == Format::kJson)
         return formatted(format, report_json(hair, *plan, context.stop).dump(), "hair", schedule);

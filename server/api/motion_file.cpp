@@ -5,30 +5,40 @@
 #include "poses/usda.hpp"
 #include "poses/vmd.hpp"
 #include "sheets/csv.hpp"
+#include "sheets/track_names.hpp"
 #include "sheets/xdts.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-/// How many keys a file has of each joint; a sheet knows none.
+Check check_sheet(const MovedChains& moved, std::size_t tracks, int repeat, const Limits& limits) {
+    const std::size_t pictures =
+        static_cast<std::size_t>(moved.motion.schedule.pictures) * static_cast<std::size_t>(repeat);
+    return check_total(tracks * pictures, limits.sheet_cells, "tracks times pictures in the sheet",
+                       repeat > 1 ? "?repeat" : moved.pointer);
+}
+
+Answer sheet(const MovedChains& moved, Format format, int repeat, const Limits& limits) {
+    const Schedule& schedule = moved.motion.schedule;
+    if (format == Format::kCsv) return formatted(format, sheets::csv(schedule, repeat), moved.file, &schedule);
+    const std::vector<std::string> tracks = sheets::track_names(moved.blocks);
+    if (const Check wrong = check_sheet(moved, tracks.size(), repeat, limits)) return to_problem(*wrong);
+    return formatted(format, sheets::xdts(schedule, repeat, tracks), moved.file, &schedule);
+}
+
+/// How many keys a file of poses has of each joint.
 std::size_t keys_of(Format format, const Schedule& schedule, int repeat) {
     switch (format) {
         case Format::kVmd:
             return poses::vmd_keys(schedule, repeat).size();
         case Format::kBvh:
             return static_cast<std::size_t>(schedule.frames);
-        case Format::kUsda:
-            return 2 * static_cast<std::size_t>(schedule.pictures) + 1;
         default:
-            return 0;
+            return 2 * static_cast<std::size_t>(schedule.pictures) + 1;
     }
 }
 
-Check check_size(const MovedChains& moved, Format format, int repeat, const Limits& limits) {
-    if (Check wrong = check_repeat(moved.motion.schedule, repeat, limits)) {
-        wrong->field = "?repeat";
-        return wrong;
-    }
+Check check_keys(const MovedChains& moved, Format format, int repeat, const Limits& limits) {
     std::size_t joints = 0;
     for (const Chain& chain : moved.chains) joints += chain.nodes.size() - 1;
     return check_total(joints * keys_of(format, moved.motion.schedule, repeat), limits.joint_keys,
@@ -77,14 +87,15 @@ Error at_prescribed_rate(Format format, Error error) {
 }
 
 Answer motion_file(const MovedChains& moved, Format format, const FileOptions& options, const Limits& limits) {
-    const Schedule& schedule = moved.motion.schedule;
-    if (const Check wrong = check_size(moved, format, options.repeat, limits)) return to_problem(*wrong);
-    if (format == Format::kXdts)
-        return formatted(format, sheets::xdts(schedule, options.repeat), moved.file, &schedule);
-    if (format == Format::kCsv) return formatted(format, sheets::csv(schedule, options.repeat), moved.file, &schedule);
+    if (Check wrong = check_repeat(moved.motion.schedule, options.repeat, limits)) {
+        wrong->field = "?repeat";
+        return to_problem(*wrong);
+    }
+    if (format == Format::kXdts || format == Format::kCsv) return sheet(moved, format, options.repeat, limits);
+    if (const Check wrong = check_keys(moved, format, options.repeat, limits)) return to_problem(*wrong);
     Result<std::string> text = poses_for(moved, format, options.repeat);
     if (!text) return to_problem(text.error(), moved.pointer);
-    return formatted(format, std::move(text).value(), moved.file, &schedule);
+    return formatted(format, std::move(text).value(), moved.file, &moved.motion.schedule);
 }
 
 }  // namespace tuftwave::server

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "api/file_options.hpp"
 #include "api/formats.hpp"
@@ -15,10 +16,11 @@ namespace tuftwave::server {
 struct MovedChains {
     std::span<const Chain> chains;
     const HairMotion& motion;
-    std::string kind;             ///< what generated names begin with: "tuft" or "chain"
-    std::string pointer;          ///< the list in the body that they come from
-    std::string file;             ///< what a file is called
-    poses::BoneNames names = {};  ///< of the bones, chain by chain; empty: as in a GLB of the same chains
+    std::string kind;                 ///< what generated names begin with: "tuft" or "chain"
+    std::string pointer;              ///< the list in the body that they come from
+    std::string file;                 ///< what a file is called
+    std::vector<std::string> blocks;  ///< what is drawn together, for the tracks of a sheet; may say the same twice
+    poses::BoneNames names = {};      ///< of the bones, chain by chain; empty: as in a GLB of the same chains
 };
 
 /// Whether a format tells of motion alone: all but meshes, clips and JSON.

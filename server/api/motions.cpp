@@ -104,9 +104,11 @@ Answer post_motions(const Request& request, const Context& context) {
     auto& wanted = std::get<MotionRequest>(read);
     const Result<HairMotion> motion = move(wanted, format, context);
     if (!motion) return to_problem(motion.error());
-    if (is_motion_file(format))
-        return motion_file({wanted.chains, *motion, "chain", "/chains", "motion"}, format,
-                           std::get<FileOptions>(options), context.limits);
+    if (is_motion_file(format)) {
+        MovedChains moved{wanted.chains, *motion, "chain", "/chains", "motion", {}};
+        for (const Chain& chain : wanted.chains) moved.blocks.push_back(chain.block);
+        return motion_file(moved, format, std::get<FileOptions>(options), context.limits);
+    }
     std::string text =
         format == Format::kJson ? answer_json(wanted, *motion, context.stop) : clip_bytes(wanted, *motion, format);
     return formatted(format, std::move(text), "motion", &motion->schedule);

@@ -133,6 +133,7 @@ void read_chain(const json& value, const Place& place, FieldProblems& problems, 
     fields.require("nodes");
     fields.text("name", kLongestName, into.name);
     fields.vectors("nodes", limits.nodes_per_chain, into.nodes);
+    fields.text("block", kLongestName, into.block);
     into.rest_rotations.clear();
     fields.rotations("rest_rotations", limits.nodes_per_chain, into.rest_rotations);
     fields.rotation("parent_rotation", into.parent_rotation);

@@ -12,6 +12,7 @@
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
 #include "sheets/csv.hpp"
+#include "sheets/track_names.hpp"
 #include "sheets/xdts.hpp"
 #include "tuftwave/schedule.hpp"
 
@@ -56,7 +57,9 @@ Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
     if (const Check wrong = check_repeat(*schedule, wanted.repeat, limits)) return to_problem(*wrong);
     switch (format) {
         case Format::kXdts:
-            return formatted(format, sheets::xdts(*schedule, wanted.repeat), "sheet", &*schedule);
+            return formatted(format,
+                             sheets::xdts(*schedule, wanted.repeat, std::vector<std::string>{sheets::kHairTrack}),
+                             "sheet", &*schedule);
         case Format::kCsv:
             return formatted(format, sheets::csv(*schedule, wanted.repeat), "sheet", &*schedule);
         default:

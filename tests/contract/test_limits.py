@@ -63,7 +63,7 @@ COUNTS = {
 # The same of lists that hold three numbers for each that is counted.
 TRIPLES = {"scalp_vertices": "ScalpMesh/positions", "scalp_triangles": "ScalpMesh/triangles"}
 # Limits of a whole request, which no keyword of a schema can state.
-OF_WHOLE_REQUESTS = {"points", "node_poses", "joint_keys", "drawn_nodes", "sheet_frames"}
+OF_WHOLE_REQUESTS = {"points", "node_poses", "joint_keys", "drawn_nodes", "sheet_frames", "sheet_cells"}
 # The smallest sizes of lists follow from what the lists are.
 SMALLEST_SIZES = {"Vec3": 3, "Rotation": 4, "TuftList": 1, "Tuft/points": 2, "Chain/nodes": 2, "Chain/rest_rotations": 2, "MotionsRequest/chains": 1,
                   "HairstyleRequest/fills": 0, "ScalpEllipsoid/radii": 3, "ScalpMesh/positions": 9, "ScalpMesh/triangles": 3,

@@ -24,13 +24,22 @@ def shown(holds: list[int]) -> list[int]:
     return [picture for picture, hold in enumerate(holds) for _ in range(hold)]
 
 
+def xdts_table(text: str) -> dict[str, Any]:
+    return json.loads(text.split("\n", 1)[1])["timeTables"][0]
+
+
+def xdts_names(text: str) -> list[str]:
+    return xdts_table(text)["timeTableHeaders"][0]["names"]
+
+
 def shown_in_xdts(text: str) -> list[int]:
     """An XDTS's frames, expanded as OpenToonz does: a cell lasts until the next one or the end."""
-    table = json.loads(text.split("\n", 1)[1])["timeTables"][0]
+    table = xdts_table(text)
     header, field = table["timeTableHeaders"], table["fields"]
     assert [h["fieldId"] for h in header] == [0] == [f["fieldId"] for f in field]
     tracks = field[0]["tracks"]
     assert [track["trackNo"] for track in tracks] == list(range(len(header[0]["names"])))
+    assert len(set(header[0]["names"])) == len(tracks) and all(track["frames"] == tracks[0]["frames"] for track in tracks)
     cells = {entry["frame"]: entry["data"][0]["values"][0] for entry in tracks[0]["frames"]}
     assert max(cells) == table["duration"] and cells[table["duration"]] == "SYMBOL_NULL_CELL"
     pictures: list[int] = []
@@ -123,6 +132,34 @@ class Schedules(ServiceTest):
         self.assertEqual(shown_in_xdts(self.service.post("/v1/schedules?format=xdts", body).body.decode()), shown([2, 2, 2, 2, 2, 1]) * 4)
         rows = self.service.post("/v1/schedules?format=csv", body).body.decode().split("\r\n")
         self.assertEqual(len(rows), 1 + 4 * 11 + 1)
+
+    def test_sheets_of_motion_repeat_as_bare_ones_do(self) -> None:
+        for operation in ("hairstyles", "motions"):
+            body = contract.example(operation)
+            for word in ("xdts", "csv"):
+                with self.subTest(operation, format=word):
+                    asked = {"timing": body["motion"]["timing"], "repeat": 4}
+                    answer = self.service.post(f"/v1/{operation}?format={word}&repeat=4", body)
+                    self.assertEqual(answer.body, self.service.post(f"/v1/schedules?format={word}", asked).body)
+
+    def test_a_sheet_has_a_track_for_each_block(self) -> None:
+        body = contract.example("motions")
+        lock = body["chains"][0]
+        given = ["bangs", "\u524d\u9aea", " bangs\t", None, "", "\u3000", "hair", "ponytail\n", "ponytail", "pony tail"]
+        body["chains"] = [lock if block is None else {**lock, "block": block} for block in given]
+        sheet = self.service.post("/v1/motions?format=xdts&repeat=2", body).body.decode()
+        self.assertEqual(xdts_names(sheet), ["bangs", "\u524d\u9aea", "hair", "ponytail", "pony tail"])
+        self.assertEqual(shown_in_xdts(sheet), shown([2, 2, 2, 2, 2, 1]) * 2)
+
+    def test_a_hairstyles_blocks_are_the_drawn_tufts_and_each_fill(self) -> None:
+        body = contract.example("hairstyles")
+        body["fills"] = [{"from": "back_R1", "to": "back_L1"}, {"from": "ahoge", "density": {"along": 0}}, {"from": "side_R", "to": "side_L", "name": "\u9aea"},
+                         {"from": "fringe_L2", "to": "fringe_R2", "name": "hair", "direction": "shorter"}]
+        report = self.service.post("/v1/hairstyles?format=json", body).json()
+        self.assertEqual([sum(fill["tufts"].values()) > 0 for fill in report["fills"]], [True, False, True, True])
+        sheet = self.service.post("/v1/hairstyles?format=xdts", body).body.decode()
+        self.assertEqual(xdts_names(sheet), ["hair", "fill1", "\u9aea"])
+        self.assertEqual(shown_in_xdts(sheet), shown([2, 2, 2, 2, 2, 1]))
 
     def test_whoever_has_a_sheet_gets_it_only_once(self) -> None:
         path = "/v1/schedules?period=0.45&fps=24&hold=2"

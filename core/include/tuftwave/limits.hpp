@@ -34,8 +34,9 @@ struct Limits {
     std::size_t rings_per_tuft = 4'096;
     std::size_t vertices = 2'000'000;  ///< in one answer; about 52 bytes each
     std::size_t triangles = 4'000'000;
-    std::size_t frames = 1'440;         ///< in one cycle: a minute at 24 frames per second
-    std::size_t sheet_frames = 14'400;  ///< in one sheet: ten minutes
+    std::size_t frames = 1'440;           ///< in one cycle: a minute at 24 frames per second
+    std::size_t sheet_frames = 14'400;    ///< in one sheet: ten minutes
+    std::size_t sheet_cells = 1'048'576;  ///< in one sheet: tracks times pictures of all cycles
     std::size_t pictures = 24;
 
     // What a value may be

@@ -23,6 +23,7 @@ struct Chain {
     double phase = 0;                  ///< radians, added to the wave's phase
     std::optional<int> cycles;         ///< waves per loop; motion.phase.cycles when empty
     std::optional<Vec3> outward;       ///< unit, away from the head at the root; what one_sided needs
+    std::string block = "hair";        ///< of a sheet; travels along and changes no motion
 };
 
 /// @errors  too_few, too_many (nodes), not_finite, out_of_range, conflict (not one rest rotation per node), degenerate
