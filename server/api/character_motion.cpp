@@ -29,7 +29,7 @@ enum class Springs { kKeep, kRemove };
 constexpr Choices<Springs, 2> kSpringChoices{{{"keep", Springs::kKeep}, {"remove", Springs::kRemove}}};
 constexpr std::size_t kLongestClipName = 64;  // characters
 
-constexpr std::array<QueryField, 27> kQueryFields{{{"amplitude", "/motion/wave/amplitude"},
+constexpr std::array<QueryField, 28> kQueryFields{{{"amplitude", "/motion/wave/amplitude"},
                                                    {"spatial_period", "/motion/wave/spatial_period"},
                                                    {"lightness", "/motion/wave/lightness"},
                                                    {"tip_exponent", "/motion/wave/tip_exponent"},
@@ -52,6 +52,7 @@ constexpr std::array<QueryField, 27> kQueryFields{{{"amplitude", "/motion/wave/a
                                                    {"phases", "/phases", QueryValue::kNumbers},
                                                    {"formulas", "/formulas"},
                                                    {"repeat", "/repeat"},
+                                                   {"interpolation", "/interpolation", QueryValue::kText},
                                                    {"chains", "/chains", QueryValue::kText},
                                                    {"kinds", "/kinds", QueryValue::kText},
                                                    {"springs", "/springs", QueryValue::kText},
@@ -227,15 +228,17 @@ Answer tool_file(const Upload& upload, const Moved& moved, Format format, const 
     return answer;
 }
 
-std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings& settings, const Moved& moved) {
+std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings& settings, const Moved& moved,
+                                                  const FileOptions& options) {
     const std::size_t binary_bytes = upload.glb.binary.size();
     if (const auto fault = character::check_clip_fits(upload.file, settings.clip, binary_bytes))
         return to_problem(*fault);
     if (settings.springs == Springs::kRemove)
         character::remove_springs(upload.file, upload.character, moved_chains(upload, moved));
     const std::string added =
-        character::add_held_clip(upload.file, upload.character, node_keys(upload, moved), moved.motion.schedule,
-                                 settings.clip, schedule_json(moved.motion.schedule), binary_bytes);
+        character::add_held_clip(upload.file, upload.character, node_keys(upload, moved),
+                                 gltf::clip_keys(moved.motion.schedule, options.holding), settings.clip,
+                                 schedule_json(moved.motion.schedule), binary_bytes);
     return character::join_glb(upload.file.dump(), upload.glb.binary, added, upload.glb.others);
 }
 
@@ -263,7 +266,7 @@ Answer post_character_motion(const Request& request, const Context& context) {
     if (is_motion_file(format)) return tool_file(upload, moved, format, std::get<FileOptions>(options), context);
     if (format == Format::kJson)
         return formatted(format, poses_json(upload, settings, moved, context), "character", schedule);
-    auto file = file_with_clip(upload, settings, moved);
+    auto file = file_with_clip(upload, settings, moved, std::get<FileOptions>(options));
     if (auto* problem = std::get_if<Problem>(&file)) return std::move(*problem);
     return formatted(Format::kGlb, std::get<std::string>(std::move(file)), "character", schedule);
 }

@@ -39,6 +39,8 @@ inline constexpr Choices<character::Kind, 4> kKinds{{{"hair", character::Kind::k
 inline constexpr Choices<character::FoundBy, 3> kFoundBy{{{"vrm1_spring", character::FoundBy::kVrm1Spring},
                                                           {"vrm0_bone_group", character::FoundBy::kVrm0BoneGroup},
                                                           {"skin_joints", character::FoundBy::kSkin}}};
+inline constexpr Choices<gltf::Holding, 3> kHoldings{
+    {{"step", gltf::Holding::kStep}, {"held", gltf::Holding::kHeld}, {"per_frame", gltf::Holding::kPerFrame}}};
 
 template <class Enum, std::size_t count>
 std::string_view word_of(const Choices<Enum, count>& choices, Enum meaning) {

@@ -3,18 +3,21 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "api/choices.hpp"
 #include "api/query_body.hpp"
 #include "api/reader.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<QueryField, 1> kQueryFields{{{"repeat", "/repeat"}}};
+constexpr std::array<QueryField, 2> kQueryFields{
+    {{"repeat", "/repeat"}, {"interpolation", "/interpolation", QueryValue::kText}}};
 
 Problem no_use(const std::string& pointer, const std::string& given, const std::string& allowed) {
     return fields_problem({{ProblemCode::kConflict, pointer, given, allowed, {}, {}}});
 }
 
+bool has_clip(Format format) { return format == Format::kGlb || format == Format::kGltf; }
 bool repeats(Format format) { return format == Format::kXdts || format == Format::kCsv || format == Format::kVmd; }
 
 }  // namespace
@@ -26,10 +29,14 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
     const Place root;
     Fields fields(body, root, problems);
     fields.integer("repeat", limits.repeat, read.repeat);
+    fields.choice("interpolation", kHoldings, read.holding);
     fields.done();
     if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields);
     if (read.repeat != 1 && !repeats(format))
         return no_use("?repeat", std::to_string(read.repeat), "1; only xdts, csv and vmd write several cycles");
+    if (read.holding != gltf::Holding::kStep && !has_clip(format))
+        return no_use("?interpolation", std::string(word_of(kHoldings, read.holding)),
+                      "step; only glb and gltf have clips");
     return read;
 }
 

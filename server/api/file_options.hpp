@@ -5,13 +5,15 @@
 #include "api/exchange.hpp"
 #include "api/formats.hpp"
 #include "api/problem.hpp"
+#include "gltf/clip_keys.hpp"
 #include "tuftwave/limits.hpp"
 
 namespace tuftwave::server {
 
 /// What the query may say about a file, besides its format.
 struct FileOptions {
-    int repeat = 1;  ///< cycles written out: sheets and VMD
+    int repeat = 1;                                ///< cycles written out: sheets and VMD
+    gltf::Holding holding = gltf::Holding::kStep;  ///< ?interpolation= of clips: GLB and glTF
 };
 
 /// @return  conflict for an option that the format knows nothing of, unless it has its default

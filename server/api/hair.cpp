@@ -120,19 +120,40 @@ std::vector<std::string> blocks_of(const Hairstyle& hairstyle, const HairPlan& p
     return blocks;
 }
 
+/// Why there must be a motion, if there must.
+std::string use_of_motion(Format format, const FileOptions& options) {
+    if (format == Format::kXdts || format == Format::kCsv) return "a sheet was";
+    if (is_motion_file(format)) return "poses were";
+    return options.holding == gltf::Holding::kStep ? "" : "a clip was";
+}
+
 /// What a format needs beyond a hairstyle. @param hair  takes the frame rate that the format prescribes
-std::optional<Problem> prepare_for(Format format, HairRequest& hair, const Limits& limits) {
-    if (!is_motion_file(format)) return {};
+std::optional<Problem> prepare_for(Format format, const FileOptions& options, HairRequest& hair, const Limits& limits) {
     std::optional<Motion>& motion = hair.hairstyle.motion;
-    if (!motion) {
-        const bool is_sheet = format == Format::kXdts || format == Format::kCsv;
-        const std::string what = is_sheet ? "a sheet was" : "poses were";
+    const std::string use = use_of_motion(format, options);
+    if (!motion && !use.empty())
         return fields_problem(
-            {{ProblemCode::kMissingField, "/motion", {}, "a motion, since " + what + " asked for", {}, {}}});
-    }
+            {{ProblemCode::kMissingField, "/motion", {}, "a motion, since " + use + " asked for", {}, {}}});
+    if (!motion) return {};
     if (const Check wrong = prescribe_rate(format, motion->timing, hair.hairstyle.formulas, limits))
         return to_problem(*wrong, "/motion/timing");
     return {};
+}
+
+/// The answer once everything but vertices and words has been made.
+Answer answer_plan(const HairRequest& hair, const HairPlan& plan, Format format, const FileOptions& options,
+                   const Context& context) {
+    if (is_motion_file(format))
+        return motion_file({plan.chains, *plan.motion, "tuft", "/tufts", "hair", blocks_of(hair.hairstyle, plan)},
+                           format, options, context.limits);
+    const Schedule* schedule = plan.motion ? &plan.motion->schedule : nullptr;
+    if (format == Format::kJson)
+        return formatted(format, report_json(hair, plan, context.stop).dump(), "hair", schedule);
+    if (schedule != nullptr) {
+        if (Check wrong = check_clip(plan.chains, *schedule, options.holding, "/tufts", context.limits))
+            return to_problem(*wrong);
+    }
+    return formatted(format, hair_bytes(hair, plan, format, context, options), "hair", schedule);
 }
 
 Answer answer_hair(const Request& request, const Context& context, Stillness stillness, Format format,
@@ -142,17 +163,10 @@ Answer answer_hair(const Request& request, const Context& context, Stillness sti
     auto read = read_hair(std::get<nlohmann::json>(body), stillness, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
     auto& hair = std::get<HairRequest>(read);
-    if (auto problem = prepare_for(format, hair, context.limits)) return *std::move(problem);
-
+    if (auto problem = prepare_for(format, options, hair, context.limits)) return *std::move(problem);
     const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
     if (!plan) return to_problem(at_prescribed_rate(format, plan.error()));
-    if (is_motion_file(format))
-        return motion_file({plan->chains, *plan->motion, "tuft", "/tufts", "hair", blocks_of(hair.hairstyle, *plan)},
-                           format, options, context.limits);
-    const Schedule* schedule = plan->motion ? &plan->motion->schedule : nullptr;
-    if (format == Format::kJson)
-        return formatted(format, report_json(hair, *plan, context.stop).dump(), "hair", schedule);
-    return formatted(format, hair_bytes(hair, *plan, format, context), "hair", schedule);
+    return answer_plan(hair, *plan, format, options, context);
 }
 
 }  // namespace
@@ -165,7 +179,7 @@ Answer post_tufts(const Request& request, const Context& context) {
 }
 
 Answer post_hairstyles(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format", "repeat"})) return *std::move(problem);
+    if (auto problem = check_query(request, {"format", "repeat", "interpolation"})) return *std::move(problem);
     auto chosen = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv,
                                           Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "api/file_options.hpp"
 #include "api/formats.hpp"
 #include "api/operation.hpp"
 #include "gltf/hair_file.hpp"
@@ -18,6 +19,7 @@ struct HairRequest {
 /// The file of a planned hairstyle. The recipe rides along in it, so that it can be posted back and edited, and so does
 /// the sheet as integers.
 /// @param format  kGlb or kGltf
-std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context);
+std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context,
+                       const FileOptions& options = {});
 
 }  // namespace tuftwave::server

@@ -38,10 +38,14 @@ std::size_t keys_of(Format format, const Schedule& schedule, int repeat) {
     }
 }
 
-Check check_keys(const MovedChains& moved, Format format, int repeat, const Limits& limits) {
+std::size_t joints_of(std::span<const Chain> chains) {
     std::size_t joints = 0;
-    for (const Chain& chain : moved.chains) joints += chain.nodes.size() - 1;
-    return check_total(joints * keys_of(format, moved.motion.schedule, repeat), limits.joint_keys,
+    for (const Chain& chain : chains) joints += chain.nodes.size() - 1;
+    return joints;
+}
+
+Check check_keys(const MovedChains& moved, Format format, int repeat, const Limits& limits) {
+    return check_total(joints_of(moved.chains) * keys_of(format, moved.motion.schedule, repeat), limits.joint_keys,
                        "joints times keys in the file", repeat > 1 ? "?repeat" : moved.pointer);
 }
 
@@ -84,6 +88,13 @@ Error at_prescribed_rate(Format format, Error error) {
     if (format == Format::kVmd && error.field.starts_with("/motion/timing"))
         error.allowed += "; a VMD has 30 frames per second";
     return error;
+}
+
+Check check_clip(std::span<const Chain> chains, const Schedule& schedule, gltf::Holding holding,
+                 const std::string& pointer, const Limits& limits) {
+    if (holding == gltf::Holding::kStep) return {};
+    return check_total(joints_of(chains) * gltf::clip_keys(schedule, holding).times.size(), limits.joint_keys,
+                       "joints times keys in the file", pointer);
 }
 
 Answer motion_file(const MovedChains& moved, Format format, const FileOptions& options, const Limits& limits) {

@@ -33,6 +33,11 @@ Check prescribe_rate(Format format, Timing& timing, Formulas formulas, const Lim
 /// Says in a problem with a timing that a format prescribes the rate.
 Error at_prescribed_rate(Format format, Error error);
 
+/// Whether a clip is small enough. With a key per picture it always is: poses are limited before they are made.
+/// @errors  too_many (joints times keys)
+Check check_clip(std::span<const Chain> chains, const Schedule& schedule, gltf::Holding holding,
+                 const std::string& pointer, const Limits& limits);
+
 /// An exposure sheet, or poses for a tool. @param format  one of is_motion_file()
 /// @return  too_many where the file would be too large
 Answer motion_file(const MovedChains& moved, Format format, const FileOptions& options, const Limits& limits);

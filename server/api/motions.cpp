@@ -78,24 +78,39 @@ std::string answer_json(const MotionRequest& request, const HairMotion& motion, 
         .dump();
 }
 
-std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format) {
+std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format, gltf::Holding holding) {
     const nlohmann::json schedule = schedule_json(motion.schedule);
     const nlohmann::json extras{
         {"tuftwave", {{"version", kVersion}, {"schedule", schedule}, {"warnings", warnings_json(&motion.schedule)}}}};
-    return gltf::clip_file(request.chains, motion, extras, schedule,
+    return gltf::clip_file(request.chains, motion, extras, {schedule, holding},
                            format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf);
+}
+
+Answer answer(const MotionRequest& request, const HairMotion& motion, Format format, const FileOptions& options,
+              const Context& context) {
+    if (is_motion_file(format)) {
+        MovedChains moved{request.chains, motion, "chain", "/chains", "motion", {}};
+        for (const Chain& chain : request.chains) moved.blocks.push_back(chain.block);
+        return motion_file(moved, format, options, context.limits);
+    }
+    if (format == Format::kJson)
+        return formatted(format, answer_json(request, motion, context.stop), "motion", &motion.schedule);
+    if (Check wrong = check_clip(request.chains, motion.schedule, options.holding, "/chains", context.limits))
+        return to_problem(*wrong);
+    return formatted(format, clip_bytes(request, motion, format, options.holding), "motion", &motion.schedule);
 }
 
 }  // namespace
 
 Answer post_motions(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format", "repeat"})) return *std::move(problem);
+    if (auto problem = check_query(request, {"format", "repeat", "interpolation"})) return *std::move(problem);
     auto chosen = choose_format(request, {Format::kJson, Format::kGlb, Format::kGltf, Format::kXdts, Format::kCsv,
                                           Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
     const Format format = std::get<Format>(chosen);
-    auto options = read_file_options(request, format, context.limits);
-    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
+    auto read_options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&read_options)) return std::move(*problem);
+    const FileOptions& options = std::get<FileOptions>(read_options);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
     auto read = read_request(std::get<nlohmann::json>(body), context.limits);
@@ -104,14 +119,7 @@ Answer post_motions(const Request& request, const Context& context) {
     auto& wanted = std::get<MotionRequest>(read);
     const Result<HairMotion> motion = move(wanted, format, context);
     if (!motion) return to_problem(motion.error());
-    if (is_motion_file(format)) {
-        MovedChains moved{wanted.chains, *motion, "chain", "/chains", "motion", {}};
-        for (const Chain& chain : wanted.chains) moved.blocks.push_back(chain.block);
-        return motion_file(moved, format, std::get<FileOptions>(options), context.limits);
-    }
-    std::string text =
-        format == Format::kJson ? answer_json(wanted, *motion, context.stop) : clip_bytes(wanted, *motion, format);
-    return formatted(format, std::move(text), "motion", &motion->schedule);
+    return answer(wanted, *motion, format, options, context);
 }
 
 }  // namespace tuftwave::server

@@ -3,8 +3,6 @@
 #include <cstring>
 #include <utility>
 
-#include "gltf/key_times.hpp"
-
 namespace tuftwave::server::character {
 namespace {
 
@@ -43,10 +41,9 @@ class Adder {
                        {"max", {times.back()}}});
     }
 
-    /// Writes one node's keys; the last one is the first picture again.
-    void write_rotations(const std::vector<Quat>& rotations) {
-        for (std::size_t key = 0; key <= rotations.size(); ++key) {
-            const Quat& q = rotations[key % rotations.size()];
+    void write_rotations(const std::vector<Quat>& rotations, const std::vector<std::size_t>& pictures) {
+        for (const std::size_t picture : pictures) {
+            const Quat& q = rotations[picture];
             for (const double part : {q.x, q.y, q.z, q.w}) append(bytes_, static_cast<float>(part));
         }
     }
@@ -95,28 +92,28 @@ std::optional<Fault> check_clip_fits(const FileJson& json, const std::string& na
     return fault;
 }
 
-std::string add_held_clip(FileJson& file, const Character& character, const std::vector<NodeKeys>& keys,
-                          const Schedule& schedule, const std::string& name, const FileJson& extras,
+std::string add_held_clip(FileJson& file, const Character& character, const std::vector<NodeKeys>& nodes,
+                          const gltf::ClipKeys& keys, const std::string& name, const FileJson& extras,
                           std::size_t binary_bytes) {
     Adder adder(file, binary_bytes);
-    const std::vector<float> times = gltf::key_times(schedule);
-    const std::size_t times_accessor = adder.add_times(times), first_byte = adder.written();
-    const std::size_t key_bytes = times.size() * 4 * sizeof(float);
-    for (const NodeKeys& node : keys) adder.write_rotations(node.rotations);
+    const std::size_t times = adder.add_times(keys.times), first_byte = adder.written();
+    const std::size_t key_bytes = keys.times.size() * 4 * sizeof(float);
+    for (const NodeKeys& node : nodes) adder.write_rotations(node.rotations, keys.pictures);
     const std::size_t view = adder.add_view(first_byte);
 
     FileJson samplers = FileJson::array(), channels = FileJson::array();
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::size_t accessor = add_to(file, "accessors",
                                             {{"bufferView", view},
                                              {"byteOffset", i * key_bytes},
                                              {"componentType", kFloat},
-                                             {"count", times.size()},
+                                             {"count", keys.times.size()},
                                              {"type", "VEC4"}});
-        samplers.push_back({{"input", times_accessor}, {"interpolation", "STEP"}, {"output", accessor}});
-        channels.push_back({{"sampler", i}, {"target", {{"node", keys[i].node}, {"path", "rotation"}}}});
-        const Node& node = character.nodes[static_cast<std::size_t>(keys[i].node)];
-        if (node.has_matrix) replace_matrix(file["nodes"][static_cast<std::size_t>(keys[i].node)], node.local);
+        samplers.push_back(
+            {{"input", times}, {"interpolation", keys.is_stepped ? "STEP" : "LINEAR"}, {"output", accessor}});
+        channels.push_back({{"sampler", i}, {"target", {{"node", nodes[i].node}, {"path", "rotation"}}}});
+        const Node& node = character.nodes[static_cast<std::size_t>(nodes[i].node)];
+        if (node.has_matrix) replace_matrix(file["nodes"][static_cast<std::size_t>(nodes[i].node)], node.local);
     }
     add_to(file, "animations",
            {{"name", name}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}, {"extras", extras}});

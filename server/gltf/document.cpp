@@ -168,20 +168,20 @@ int Document::add_skin(const std::vector<int>& joints, int inverse_bind_matrices
     return appended(model_->skins, std::move(skin));
 }
 
-void Document::add_held_animation(const std::string& name, int times, const std::vector<Channel>& channels,
-                                  const nlohmann::json& extras) {
+void Document::add_animation(const std::string& name, int times, Interpolation interpolation,
+                             const std::vector<Channel>& channels, const nlohmann::json& extras) {
     tinygltf::Animation animation;
     animation.name = name;
     animation.extras = to_value(extras);
     for (const Channel& channel : channels) {
         tinygltf::AnimationSampler sampler;
         sampler.input = times;
-        sampler.output = channel.rotations;
-        sampler.interpolation = "STEP";
+        sampler.output = channel.values;
+        sampler.interpolation = interpolation == Interpolation::kStep ? "STEP" : "LINEAR";
         tinygltf::AnimationChannel made;
         made.sampler = appended(animation.samplers, std::move(sampler));
         made.target_node = channel.node;
-        made.target_path = "rotation";
+        made.target_path = channel.path == Path::kRotation ? "rotation" : "scale";
         animation.channels.push_back(std::move(made));
     }
     model_->animations.push_back(std::move(animation));

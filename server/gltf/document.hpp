@@ -39,8 +39,11 @@ class Document {
     struct Primitive {
         int positions, normals, uvs, joints, weights, indices, material;  ///< accessors, and a material
     };
+    enum class Interpolation { kStep, kLinear };
+    enum class Path { kRotation, kScale };
     struct Channel {
-        int node, rotations;  ///< a node, and the accessor of its keys
+        int node, values;  ///< a node, and the accessor of its keys
+        Path path = Path::kRotation;
     };
 
     explicit Document(const std::string& generator);
@@ -57,9 +60,8 @@ class Document {
     int add_material(const std::string& name, std::array<double, 3> linear_color);
     int add_mesh(const std::string& name, const Primitive& primitive);
     int add_skin(const std::vector<int>& joints, int inverse_bind_matrices, int skeleton_root);
-    /// Keys that hold their value until the next one.
-    void add_held_animation(const std::string& name, int times, const std::vector<Channel>& channels,
-                            const nlohmann::json& extras);
+    void add_animation(const std::string& name, int times, Interpolation interpolation,
+                       const std::vector<Channel>& channels, const nlohmann::json& extras);
     void set_node_extras(int node, const nlohmann::json& extras);
     void set_asset_extras(const nlohmann::json& extras);
 

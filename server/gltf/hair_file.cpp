@@ -26,9 +26,8 @@ std::array<double, 3> linear_color(const std::string& color) {
 
 }  // namespace
 
-std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each,
-                      const std::stop_token& stop) {
+std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
+                      Container container, const ForEach& for_each, const std::stop_token& stop) {
     Document document(kGenerator);
     document.set_asset_extras(asset_extras);
     const std::vector<std::string> names = claim_names(plan.chains, "tuft");
@@ -40,23 +39,23 @@ std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::js
     } else {
         meshes.reserve_per_tuft(names, skeleton, material);
     }
-    std::optional<HeldClip> clip;
-    if (plan.motion) clip.emplace(document, skeleton, plan.motion->schedule, animation_extras);
+    std::optional<HeldClip> keys;
+    if (plan.motion) keys.emplace(document, skeleton, clip_keys(plan.motion->schedule, clip.holding), clip.extras);
 
     document.allocate();
     meshes.fill(for_each, stop);
-    if (clip) clip->fill(plan.motion->chains);
+    if (keys) keys->fill(plan.motion->chains);
     return document.write(container);
 }
 
 std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container) {
+                      const Clip& clip, Container container) {
     Document document(kGenerator);
     document.set_asset_extras(asset_extras);
     const SkeletonNodes skeleton(document, chains, claim_names(chains, "chain"));
-    HeldClip clip(document, skeleton, motion.schedule, animation_extras);
+    HeldClip keys(document, skeleton, clip_keys(motion.schedule, clip.holding), clip.extras);
     document.allocate();
-    clip.fill(motion.chains);
+    keys.fill(motion.chains);
     return document.write(container);
 }
 

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string>
 
+#include "gltf/clip_keys.hpp"
 #include "gltf/document.hpp"
 #include "tuftwave/hairstyle.hpp"
 
@@ -20,16 +21,21 @@ struct Look {
     std::string color = "#8a5a44";  ///< sRGB, # and six hexadecimal digits
 };
 
-/// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its held clip.
-/// @param asset_extras      goes into asset.extras
-/// @param animation_extras  goes into the clip's extras; ignored when nothing moves
-/// Deterministic for any `for_each`; incomplete once `stop` is set.
-std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container, const ForEach& for_each,
-                      const std::stop_token& stop);
+/// What a file's clip is like.
+struct Clip {
+    const nlohmann::json& extras;  ///< goes into the clip's extras
+    Holding holding = Holding::kStep;
+};
 
-/// Writes a skeleton and its held clip, without meshes.
+/// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its clip.
+/// @param asset_extras  goes into asset.extras
+/// @param clip          ignored when nothing moves
+/// Deterministic for any `for_each`; incomplete once `stop` is set.
+std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
+                      Container container, const ForEach& for_each, const std::stop_token& stop);
+
+/// Writes a skeleton and its clip, without meshes.
 std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,
-                      const nlohmann::json& animation_extras, Container container);
+                      const Clip& clip, Container container);
 
 }  // namespace tuftwave::server::gltf

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "gltf/key_times.hpp"
 #include "gltf/names.hpp"
 
 namespace tuftwave::server::gltf {
@@ -50,40 +50,37 @@ void SkeletonNodes::add_chain(const Chain& chain, const std::string& name) {
     chains_.push_back(std::move(nodes));
 }
 
-HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, const Schedule& schedule,
-                   const nlohmann::json& extras)
-    : document_(document), schedule_(schedule) {
-    const std::size_t keys = static_cast<std::size_t>(schedule.pictures) + 1;
-    const std::size_t key_bytes = keys * 4 * sizeof(float);
+HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys keys, const nlohmann::json& extras)
+    : document_(document), keys_(std::move(keys)) {
+    const std::size_t count = keys_.times.size(), bytes = count * 4 * sizeof(float);
     std::size_t joints = 0;
     for (const ChainNodes& chain : skeleton.chains()) joints += chain.joints.size();
-    times_ = document.add_accessor({document.add_view(Document::Purpose::kData, keys * sizeof(float)), 0, keys,
+    times_ = document.add_accessor({document.add_view(Document::Purpose::kData, count * sizeof(float)), 0, count,
                                     Document::Component::kF32, Document::Shape::kScalar});
-    const int view = document.add_view(Document::Purpose::kData, joints * key_bytes);
+    const int view = document.add_view(Document::Purpose::kData, joints * bytes);
     std::vector<Document::Channel> channels;
     for (const ChainNodes& chain : skeleton.chains()) {
-        std::vector<int>& accessors = keys_.emplace_back();
+        std::vector<int>& accessors = values_.emplace_back();
         for (const int node : chain.joints) {
             accessors.push_back(document.add_accessor(
-                {view, channels.size() * key_bytes, keys, Document::Component::kF32, Document::Shape::kVec4}));
+                {view, channels.size() * bytes, count, Document::Component::kF32, Document::Shape::kVec4}));
             channels.push_back({node, accessors.back()});
         }
     }
-    document.add_held_animation("wave", times_, channels, extras);
+    const auto between = keys_.is_stepped ? Document::Interpolation::kStep : Document::Interpolation::kLinear;
+    document.add_animation("wave", times_, between, channels, extras);
 }
 
 void HeldClip::fill(std::span<const ChainMotion> motions) {
-    const std::vector<float> times = key_times(schedule_);
-    std::ranges::copy(times, document_.data<float>(times_).begin());
+    std::ranges::copy(keys_.times, document_.data<float>(times_).begin());
     document_.set_bounds(times_);
-    const auto pictures = static_cast<std::size_t>(schedule_.pictures);
-    for (std::size_t c = 0; c < keys_.size(); ++c) {
+    for (std::size_t c = 0; c < values_.size(); ++c) {
         const std::vector<Quat>& rotations = motions[c].rotations;
-        const std::size_t nodes = rotations.size() / pictures;
-        for (std::size_t i = 0; i < keys_[c].size(); ++i) {
-            const std::span<float> out = document_.data<float>(keys_[c][i]);
-            for (std::size_t key = 0; key <= pictures; ++key) {
-                const Quat& q = rotations[key % pictures * nodes + i];  // the closing key is picture 0 again
+        const std::size_t nodes = values_[c].size() + 1;
+        for (std::size_t i = 0; i < values_[c].size(); ++i) {
+            const std::span<float> out = document_.data<float>(values_[c][i]);
+            for (std::size_t key = 0; key < keys_.pictures.size(); ++key) {
+                const Quat& q = rotations[keys_.pictures[key] * nodes + i];
                 const float parts[] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
                                        static_cast<float>(q.w)};
                 std::ranges::copy(parts, out.begin() + static_cast<std::ptrdiff_t>(4 * key));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gltf/clip_keys.hpp"
 #include "gltf/document.hpp"
 #include "tuftwave/hairstyle.hpp"
 
@@ -31,20 +32,20 @@ class SkeletonNodes {
     std::vector<ChainNodes> chains_;
 };
 
-/// A clip that holds each picture until the next, over the nodes of a skeleton.
+/// A clip that keeps each picture on show until the next, over the nodes of a skeleton.
 class HeldClip {
   public:
     /// Reserves room for the keys.
-    HeldClip(Document& document, const SkeletonNodes& skeleton, const Schedule& schedule, const nlohmann::json& extras);
+    HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys keys, const nlohmann::json& extras);
 
     /// Writes the keys; call after document.allocate().
     void fill(std::span<const ChainMotion> motions);
 
   private:
     Document& document_;
-    const Schedule& schedule_;
+    const ClipKeys keys_;
     int times_ = 0;
-    std::vector<std::vector<int>> keys_;  // accessor per chain and joint
+    std::vector<std::vector<int>> values_;  // accessor per chain and joint
 };
 
 }  // namespace tuftwave::server::gltf

@@ -228,6 +228,9 @@ FILE_QUERIES = [
     *[Row(f"repeat is {value}", {}, slug, "?repeat", f"?format=xdts&repeat={value}") for value, slug in (
         ("0", "out_of_range"), ("1441", "out_of_range"), ("1440", "too_many"), ("-1", "out_of_range"), ("1.5", "wrong_type"), ("two", "wrong_type"),
         ("", "wrong_type"), ("nan", "wrong_type"), ("1e300", "out_of_range"))],
+    Row("an unknown interpolation", {}, "not_a_choice", "?interpolation", "?format=glb&interpolation=linear"),
+    Row("an interpolation in figures", {}, "not_a_choice", "?interpolation", "?format=glb&interpolation=1"),
+    *[Row(f"{word} has no clip", {}, "conflict", "?interpolation", f"?format={word}&interpolation=held") for word in ("json", "xdts", "csv", "vmd", "bvh", "usda")],
     *[Row(f"{word} has one cycle", {}, "conflict", "?repeat", f"?format={word}&repeat=2") for word in ("glb", "gltf", "json", "bvh", "usda")],
 ]
 
@@ -248,6 +251,7 @@ ROWS: dict[str, list[Row]] = {
                    Row("a CSV of still hair", {"/motion": None}, "missing_field", "/motion", "?format=csv", beyond_schema=True),
                    Row("a VMD of still hair", {"/motion": REMOVED}, "missing_field", "/motion", "?format=vmd", beyond_schema=True),
                    Row("a BVH of still hair", {"/motion": None}, "missing_field", "/motion", "?format=bvh", beyond_schema=True),
+                   Row("a held clip of still hair", {"/motion": None}, "missing_field", "/motion", "?interpolation=held", beyond_schema=True),
                    *FILE_QUERIES,
                    Row("chains belong elsewhere", {"/chains": []}, "unknown_field", "/chains"),
                    Row("an unknown format", {}, "not_a_choice", "?format", "?format=fbx")],
@@ -259,6 +263,8 @@ ROWS: dict[str, list[Row]] = {
                       "too_many", "/chains", f"?format={word}") for word in ("vmd", "bvh")],
                 Row("too many cells in a sheet", {"/chains": [{**SMALL_CHAIN, "block": str(i)} for i in range(1000)]}, "too_many", "?repeat",
                     "?format=xdts&repeat=1000"),
+                *[Row(f"too many keys in a {word} clip", {"/chains": [{"nodes": LONGEST_CHAIN}] * 500, "/motion/timing": {"period": 2, "fps": 30, "hold": 3}},
+                      "too_many", "/chains", f"?format=glb&interpolation={word}") for word in ("held", "per_frame")],
                 Row("too many keys in a usda", {"/chains": [{"nodes": LONGEST_CHAIN}] * 500, "/motion/timing": {"period": 0.8, "hold": 1}},
                     "too_many", "/chains", "?format=usda"),
                 Row("tufts belong elsewhere", {"/tufts": []}, "unknown_field", "/tufts"),

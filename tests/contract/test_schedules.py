@@ -115,6 +115,27 @@ class Schedules(ServiceTest):
                 self.assertEqual(shown_in_xdts(self.service.post("/v1/motions?format=xdts", body).body.decode()), expected)
                 self.assertEqual(shown_in_csv(self.service.post("/v1/motions?format=csv", body).body.decode()), expected)
 
+    def test_clips_for_importers_without_steps_tell_the_same(self) -> None:
+        chains = contract.example("motions")["chains"]
+        for case in TIMINGS:
+            body = {"chains": chains, "motion": {"timing": timing(*case)}}
+            schedule = self.service.post("/v1/motions", body).json()["schedule"]
+            for word, kind, count in (("step", "STEP", schedule["pictures"] + 1), ("held", "LINEAR", 2 * schedule["pictures"] + 1),
+                                      ("per_frame", "STEP", schedule["frames"] + 1)):
+                with self.subTest(case, interpolation=word):
+                    gltf, buffer = glb_parts(self.service.post(f"/v1/motions?format=glb&interpolation={word}", body).body)
+                    (clip,) = gltf["animations"]
+                    self.assertEqual({sampler["interpolation"] for sampler in clip["samplers"]}, {kind})
+                    times = floats(gltf, buffer, clip["samplers"][0]["input"])
+                    self.assertEqual(len(times), count)
+                    self.assertTrue(all(a < b for a, b in zip(times, times[1:])))
+                    keys = floats(gltf, buffer, clip["samplers"][0]["output"])
+                    self.assertEqual(keys[:4], keys[-4:])
+                    if word == "held":
+                        self.assertTrue(all(keys[8 * n:8 * n + 4] == keys[8 * n + 4:8 * n + 8] for n in range(schedule["pictures"])))
+            default = self.service.post("/v1/motions?format=glb", body).body
+            self.assertEqual(self.service.post("/v1/motions?format=glb&interpolation=step", body).body, default)
+
     def test_get_is_post(self) -> None:
         for case in TIMINGS:
             for word in ("json", "xdts", "csv"):

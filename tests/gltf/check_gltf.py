@@ -157,6 +157,13 @@ def timings() -> Iterator[tuple[str, Body]]:
                     yield f"{name}_{short_holds}", {"period": period, "fps": fps, "hold": hold, "short_holds": short_holds}
 
 
+def fitting_timings() -> Iterator[tuple[str, Body]]:
+    """Those without too many pictures."""
+    for name, timing in timings():
+        if timing["period"] * rate_of(timing["fps"]) / timing["hold"] <= 24:
+            yield name, timing
+
+
 class Files:
     """Answers written to a directory; a refusal is a failed check."""
 
@@ -170,12 +177,12 @@ class Files:
         if fault:
             print(f"FAILED {name}: {fault}")
 
-    def write(self, operation: str, name: str, body: Body, *formats: str) -> dict[str, bytes]:
+    def write(self, operation: str, name: str, body: Body, *formats: str, query: str = "") -> dict[str, bytes]:
         """@return  the files by format; those before the first refusal"""
         text = json.dumps(body, ensure_ascii=False)
         bytes_of: dict[str, bytes] = {}
         for word in formats:
-            answer = self.service.post(f"/v1/{operation}?format={word}", text)
+            answer = self.service.post(f"/v1/{operation}?format={word}{query}", text)
             self.check(f"{name}.{word}", "" if answer.status == 200 else f"{answer.status} {answer.body[:300]!r}")
             if answer.status != 200:
                 return bytes_of
@@ -214,11 +221,11 @@ def write_files(files: Files) -> None:
         if name != "chains_longest":  # which has as many pictures as there may be
             write_at_30_fps(files, "motions", name, body)
     write_at_30_fps(files, "hairstyles", "example_hairstyles", example("hairstyles"))
+    write_interpolations(files)
     tuft = example("hairstyles")["tufts"][0]
-    for name, timing in timings():
-        if timing["period"] * rate_of(timing["fps"]) / timing["hold"] <= 24:
-            files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
-            files.write("hairstyles", f"tuft_{name}", {"tufts": [tuft], "motion": {"timing": timing}}, "json", "glb")
+    for name, timing in fitting_timings():
+        files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
+        files.write("hairstyles", f"tuft_{name}", {"tufts": [tuft], "motion": {"timing": timing}}, "json", "glb")
 
 
 def write_at_30_fps(files: Files, operation: str, name: str, body: Body) -> None:
@@ -229,6 +236,16 @@ def write_at_30_fps(files: Files, operation: str, name: str, body: Body) -> None
     with tempfile.TemporaryDirectory() as elsewhere:  # not beside the JSON of the other rate
         other = Files(files.service, elsewhere).write(operation, name, body, "vmd")
     files.check(f"{name}: VMD at another rate", "" if made and other == {"vmd": made["vmd"]} else "differs from the one at 30 frames per second")
+
+
+def write_interpolations(files: Files) -> None:
+    """Clips for importers that read STEP as linear, of all timings with chains and of a hairstyle."""
+    bodies = [("hairstyles", "hair", example("hairstyles")), ("hairstyles", "hair_merged", {**example("hairstyles"), "mesh": {"layout": "merged"}}),
+              *(("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}) for name, timing in fitting_timings())]
+    for operation, name, body in bodies:
+        for word in ("held", "per_frame"):
+            files.write(operation, f"{name}_{word}", body, "json")
+            files.write(operation, f"{name}_{word}", body, "glb", query=f"&interpolation={word}")
 
 
 def write_many(files: Files) -> None:

@@ -7,7 +7,7 @@
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
-import { AnimationMixer, Vector3 } from "three";
+import { AnimationMixer, InterpolateLinear, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 import { add, chainNodes, distance, inverse, lengthOf, product, restPoses, shownPictures, subtract, turned } from "./chains.mjs";
@@ -34,17 +34,32 @@ function objectsByNode(gltf) {
 }
 
 /** Counts joints that show another picture than they should. `seek(k)` brings the clip to frame k. */
-function countWrong(joints, shown, loops, seek) {
+function countWrong(joints, shown, loops, seek, tolerance = 0) {
   let wrong = 0;
+  const differs = (a, b) => !(Math.abs(a - b) <= tolerance);
   for (let k = 0; k < loops * shown.length; k += 1) {
     seek(k);
     const picture = shown[k % shown.length];
-    for (const { quaternion, pictures } of joints) {
+    for (const { quaternion: q, pictures } of joints) {
       const at = 4 * picture;
-      if (quaternion.x !== pictures[at] || quaternion.y !== pictures[at + 1] || quaternion.z !== pictures[at + 2] || quaternion.w !== pictures[at + 3]) wrong += 1;
+      if (differs(q.x, pictures[at]) || differs(q.y, pictures[at + 1]) || differs(q.z, pictures[at + 2]) || differs(q.w, pictures[at + 3])) wrong += 1;
     }
   }
   return wrong;
+}
+
+/** What an importer makes of a clip that knows no steps. @returns {string} what is wrong, or "" */
+function linearFault(name, gltf, joints, shown, fps) {
+  const clip = gltf.animations[0].clone();
+  for (const track of clip.tracks) track.setInterpolation(InterpolateLinear);
+  const mixer = new AnimationMixer(gltf.scene);
+  const action = mixer.clipAction(clip).play();
+  // A clip with a key per frame is right on each frame only; one that is held in between, too.
+  const wrong = (name.endsWith("_held") ? [0, 0.5, 0.99] : [0])
+    .map((part) => countWrong(joints, shown, 3, (k) => mixer.setTime(secondsOf(k + part, fps)), 1e-5))
+    .reduce((sum, count) => sum + count);
+  action.stop();
+  return wrong ? `${wrong} wrong` : "";
 }
 
 /** Each joint's object, and its rotations in all pictures as the JSON answer has them. */
@@ -135,6 +150,10 @@ async function play(name, glb, answer, mostLoops, checks) {
   const step = secondsOf(1, schedule.fps);
   const stepped = countWrong(joints, shown, loops, (k) => mixer.update(k === 0 ? 0 : step));
   checks.add(`${name}: ${loops} loops by stepping`, stepped ? `${stepped} wrong of ${joints.length * loops * shown.length}` : "");
+
+  const between = countWrong(joints, shown, 3, (k) => mixer.setTime(secondsOf(k + 0.5, schedule.fps)));
+  checks.add(`${name}: 3 loops between frames`, between ? `${between} wrong of ${joints.length * 3 * shown.length}` : "");
+  if (/_(held|per_frame)$/.test(name)) checks.add(`${name}: by an importer without steps`, linearFault(name, gltf, joints, shown, schedule.fps));
 
   for (const picture of new Set([0, Math.floor(schedule.pictures / 2)])) {
     mixer.setTime(secondsOf(schedule.starts[picture] + 0.5, schedule.fps));
