@@ -71,22 +71,6 @@ std::optional<double> as_whole_number(const json& value, const Place& place, Ran
 
 }  // namespace
 
-std::string Place::pointer() const {
-    if (parent_ == nullptr) return "";
-    std::string pointer = parent_->pointer() + "/";
-    if (key_.data() == nullptr) return pointer + std::to_string(index_);
-    for (const char c : key_) {
-        if (c == '~') {
-            pointer += "~0";
-        } else if (c == '/') {
-            pointer += "~1";
-        } else {
-            pointer += c;
-        }
-    }
-    return pointer;
-}
-
 Fields::Fields(const json& value, const Place& place, FieldProblems& problems)
     : value_(value), place_(place), problems_(problems) {
     if (!value.is_object()) problems_.add({ProblemCode::kWrongType, place.pointer(), echo(value), "an object", {}, {}});
