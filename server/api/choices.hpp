@@ -42,6 +42,9 @@ inline constexpr Choices<character::FoundBy, 3> kFoundBy{{{"vrm1_spring", charac
 inline constexpr Choices<gltf::Holding, 3> kHoldings{
     {{"step", gltf::Holding::kStep}, {"held", gltf::Holding::kHeld}, {"per_frame", gltf::Holding::kPerFrame}}};
 
+inline constexpr Choices<gltf::ClipKind, 2> kClipKinds{
+    {{"skeleton", gltf::ClipKind::kSkeleton}, {"flip_book", gltf::ClipKind::kFlipBook}}};
+
 template <class Enum, std::size_t count>
 std::string_view word_of(const Choices<Enum, count>& choices, Enum meaning) {
     for (const auto& [word, value] : choices) {

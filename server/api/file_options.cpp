@@ -30,6 +30,7 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
     Fields fields(body, root, problems);
     fields.integer("repeat", limits.repeat, read.repeat);
     fields.choice("interpolation", kHoldings, read.holding);
+    fields.choice("clip", kClipKinds, read.kind);
     fields.done();
     if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields);
     if (read.repeat != 1 && !repeats(format))
@@ -37,6 +38,8 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
     if (read.holding != gltf::Holding::kStep && !has_clip(format))
         return no_use("?interpolation", std::string(word_of(kHoldings, read.holding)),
                       "step; only glb and gltf have clips");
+    if (read.kind != gltf::ClipKind::kSkeleton && !has_clip(format))
+        return no_use("?clip", std::string(word_of(kClipKinds, read.kind)), "skeleton; only glb and gltf have clips");
     return read;
 }
 

@@ -12,8 +12,9 @@ namespace tuftwave::server {
 
 /// What the query may say about a file, besides its format.
 struct FileOptions {
-    int repeat = 1;                                ///< cycles written out: sheets and VMD
-    gltf::Holding holding = gltf::Holding::kStep;  ///< ?interpolation= of clips: GLB and glTF
+    int repeat = 1;                                   ///< cycles written out: sheets and VMD
+    gltf::Holding holding = gltf::Holding::kStep;     ///< ?interpolation= of clips: GLB and glTF
+    gltf::ClipKind kind = gltf::ClipKind::kSkeleton;  ///< ?clip= of hairstyles: GLB and glTF
 };
 
 /// @return  conflict for an option that the format knows nothing of, unless it has its default

@@ -124,7 +124,8 @@ std::vector<std::string> blocks_of(const Hairstyle& hairstyle, const HairPlan& p
 std::string use_of_motion(Format format, const FileOptions& options) {
     if (format == Format::kXdts || format == Format::kCsv) return "a sheet was";
     if (is_motion_file(format)) return "poses were";
-    return options.holding == gltf::Holding::kStep ? "" : "a clip was";
+    const bool is_plain = options.holding == gltf::Holding::kStep && options.kind == gltf::ClipKind::kSkeleton;
+    return is_plain ? "" : "a clip was";
 }
 
 /// What a format needs beyond a hairstyle. @param hair  takes the frame rate that the format prescribes
@@ -140,6 +141,12 @@ std::optional<Problem> prepare_for(Format format, const FileOptions& options, Ha
     return {};
 }
 
+Check check_flip_book(const HairPlan& plan, const Limits& limits) {
+    return check_total(plan.vertices * static_cast<std::size_t>(plan.motion->schedule.pictures), limits.vertices,
+                       "vertices in all pictures; use a larger tolerance, fewer rings, fewer sides or fewer pictures",
+                       "/mesh");
+}
+
 /// The answer once everything but vertices and words has been made.
 Answer answer_plan(const HairRequest& hair, const HairPlan& plan, Format format, const FileOptions& options,
                    const Context& context) {
@@ -150,8 +157,10 @@ Answer answer_plan(const HairRequest& hair, const HairPlan& plan, Format format,
     if (format == Format::kJson)
         return formatted(format, report_json(hair, plan, context.stop).dump(), "hair", schedule);
     if (schedule != nullptr) {
-        if (Check wrong = check_clip(plan.chains, *schedule, options.holding, "/tufts", context.limits))
-            return to_problem(*wrong);
+        const Check wrong = options.kind == gltf::ClipKind::kFlipBook
+                                ? check_flip_book(plan, context.limits)
+                                : check_clip(plan.chains, *schedule, options.holding, "/tufts", context.limits);
+        if (wrong) return to_problem(*wrong);
     }
     return formatted(format, hair_bytes(hair, plan, format, context, options), "hair", schedule);
 }
@@ -179,7 +188,7 @@ Answer post_tufts(const Request& request, const Context& context) {
 }
 
 Answer post_hairstyles(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format", "repeat", "interpolation"})) return *std::move(problem);
+    if (auto problem = check_query(request, {"format", "repeat", "interpolation", "clip"})) return *std::move(problem);
     auto chosen = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv,
                                           Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);

@@ -14,6 +14,9 @@ enum class Holding {
     kPerFrame  ///< for importers that take a key per frame, whatever lies between
 };
 
+/// What a clip moves: bones that vertices hang on, or which of the pictures' meshes is to be seen.
+enum class ClipKind { kSkeleton, kFlipBook };
+
 /// The keys of a clip, for whatever it moves.
 struct ClipKeys {
     std::vector<float> times;           ///< seconds from 0, strictly increasing

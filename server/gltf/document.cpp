@@ -126,6 +126,7 @@ int Document::add_node(const Node& node) {
     made.name = node.name;
     if (node.translation) made.translation.assign(node.translation->begin(), node.translation->end());
     if (node.rotation) made.rotation.assign(node.rotation->begin(), node.rotation->end());
+    if (node.scale) made.scale.assign(3, *node.scale);
     if (node.mesh) made.mesh = *node.mesh;
     if (node.skin) made.skin = *node.skin;
     return appended(model_->nodes, std::move(made));
@@ -146,11 +147,9 @@ int Document::add_material(const std::string& name, std::array<double, 3> linear
 
 int Document::add_mesh(const std::string& name, const Primitive& primitive) {
     tinygltf::Primitive made;
-    made.attributes = {{"POSITION", primitive.positions},
-                       {"NORMAL", primitive.normals},
-                       {"TEXCOORD_0", primitive.uvs},
-                       {"JOINTS_0", primitive.joints},
-                       {"WEIGHTS_0", primitive.weights}};
+    made.attributes = {{"POSITION", primitive.positions}, {"NORMAL", primitive.normals}, {"TEXCOORD_0", primitive.uvs}};
+    if (primitive.joints) made.attributes["JOINTS_0"] = *primitive.joints;
+    if (primitive.weights) made.attributes["WEIGHTS_0"] = *primitive.weights;
     made.indices = primitive.indices;
     made.material = primitive.material;
     made.mode = TINYGLTF_MODE_TRIANGLES;

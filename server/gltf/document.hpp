@@ -35,9 +35,12 @@ class Document {
         std::optional<std::array<double, 3>> translation;
         std::optional<std::array<double, 4>> rotation;  ///< x y z w
         std::optional<int> mesh, skin;
+        std::optional<double> scale = std::nullopt;  ///< the same along all axes
     };
     struct Primitive {
-        int positions, normals, uvs, joints, weights, indices, material;  ///< accessors, and a material
+        int positions, normals, uvs;  ///< accessors
+        std::optional<int> joints, weights;
+        int indices, material;
     };
     enum class Interpolation { kStep, kLinear };
     enum class Path { kRotation, kScale };

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "gltf/flip_book.hpp"
 #include "gltf/hair_meshes.hpp"
 #include "gltf/names.hpp"
 #include "gltf/skeleton_nodes.hpp"
@@ -24,10 +25,23 @@ std::array<double, 3> linear_color(const std::string& color) {
     return {linear_channel(color.substr(1, 2)), linear_channel(color.substr(3, 2)), linear_channel(color.substr(5, 2))};
 }
 
+std::string flip_book_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
+                           Container container, const ForEach& for_each, const std::stop_token& stop) {
+    Document document(kGenerator);
+    document.set_asset_extras(asset_extras);
+    const int material = document.add_material("hair", linear_color(look.color));
+    FlipBook book(document, plan, clip_keys(plan.motion->schedule, clip.holding), material, clip.extras);
+    document.allocate();
+    book.fill(for_each, stop);
+    return document.write(container);
+}
+
 }  // namespace
 
 std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
                       Container container, const ForEach& for_each, const std::stop_token& stop) {
+    if (plan.motion && clip.kind == ClipKind::kFlipBook)
+        return flip_book_file(plan, look, asset_extras, clip, container, for_each, stop);
     Document document(kGenerator);
     document.set_asset_extras(asset_extras);
     const std::vector<std::string> names = claim_names(plan.chains, "tuft");

@@ -25,9 +25,11 @@ struct Look {
 struct Clip {
     const nlohmann::json& extras;  ///< goes into the clip's extras
     Holding holding = Holding::kStep;
+    ClipKind kind = ClipKind::kSkeleton;
 };
 
-/// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its clip.
+/// Writes a planned hairstyle: meshes, skeleton, weights and, if it moves, its clip; or, if it moves and is to be a
+/// flip book, a mesh per picture, in which all tufts are one.
 /// @param asset_extras  goes into asset.extras
 /// @param clip          ignored when nothing moves
 /// Deterministic for any `for_each`; incomplete once `stop` is set.

@@ -3,17 +3,15 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "gltf/index_type.hpp"
+
 namespace tuftwave::server::gltf {
 namespace {
 
 using Component = Document::Component;
 using Purpose = Document::Purpose;
 
-/// The largest index of each type is a GPU's restart mark and must not occur.
-constexpr std::size_t kMostShortVertices = 65'535;
 constexpr std::size_t kMatrixBytes = 64;
-
-bool fits_short(std::size_t vertices) { return vertices <= kMostShortVertices; }
 
 void fill_matrices(const Chain& chain, std::span<float> out) {
     Quat global = normalized(chain.parent_rotation);

@@ -27,6 +27,12 @@ export function restPoses(json) {
 /** The picture on show at each frame of one cycle. */
 export const shownPictures = (schedule) => schedule.holds.flatMap((hold, picture) => Array(hold).fill(picture));
 
+/** Seconds of a frame, from a number or a fraction. */
+export function secondsOf(frame, fps) {
+  const [numerator, denominator = 1] = String(fps).split("/").map(Number);
+  return (frame * denominator) / numerator;
+}
+
 /** The length of a chain from its nodes' places, metres; 1 where it has none. */
 export const lengthOf = (places) => places.reduce((sum, place, i) => (i === 0 ? 0 : sum + distance(place, places[i - 1])), 0) || 1;
 

@@ -222,6 +222,7 @@ def write_files(files: Files) -> None:
             write_at_30_fps(files, "motions", name, body)
     write_at_30_fps(files, "hairstyles", "example_hairstyles", example("hairstyles"))
     write_interpolations(files)
+    write_flip_books(files)
     tuft = example("hairstyles")["tufts"][0]
     for name, timing in fitting_timings():
         files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
@@ -246,6 +247,18 @@ def write_interpolations(files: Files) -> None:
         for word in ("held", "per_frame"):
             files.write(operation, f"{name}_{word}", body, "json")
             files.write(operation, f"{name}_{word}", body, "glb", query=f"&interpolation={word}")
+
+
+def write_flip_books(files: Files) -> None:
+    """Each beside the merged clip of the same hair, NAME.glb, which has the same vertices in the same order."""
+    bodies = dict(hairs())
+    timing = {"period": 0.8, "fps": "24000/1001", "hold": 3}
+    bodies["hair_ntsc_merged"] = {**bodies["hair_merged"], "motion": {**example("hairstyles")["motion"], "timing": timing}}
+    files.write("hairstyles", "hair_ntsc_merged", bodies["hair_ntsc_merged"], "json", "glb")
+    for name in ("hair_merged", "hair_filled_merged", "hair_names_merged", "hair_ntsc_merged", "vroid_Vita_merged"):
+        files.write("hairstyles", f"{name}_flip_book", bodies[name], "glb", query="&clip=flip_book")
+    for word in ("held", "per_frame"):
+        files.write("hairstyles", f"hair_merged_{word}_flip_book", bodies["hair_merged"], "glb", query=f"&clip=flip_book&interpolation={word}")
 
 
 def write_many(files: Files) -> None:
@@ -278,7 +291,7 @@ def check(server: str, directory: str) -> int:
         write_files(files)
     passed, failed = files.passed, files.failed
     print(f"{len(os.listdir(directory))} files in {directory}")
-    for script in ("validate.mjs", "playback.mjs", "poses.mjs"):
+    for script in ("validate.mjs", "playback.mjs", "flip_book.mjs", "poses.mjs"):
         more_passed, more_failed = run_node(script, directory)
         passed, failed = passed + more_passed, failed + more_failed
     print(f"{passed} passed, {failed} failed")

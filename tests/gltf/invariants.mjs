@@ -1,7 +1,26 @@
 // What must hold for a file's nodes and meshes, whatever the hair.
 
+/** Whether a file has a mesh per picture in place of skins. */
+export const isFlipBook = ({ json }) => json.skins === undefined && (json.animations ?? []).some(({ channels }) => channels.some(({ target }) => target.path === "scale"));
+
+/** @returns {string} what is wrong with a node of a flip book, or "" */
+function pageFault(json, index, pages) {
+  const { name, mesh, skin, translation, rotation, scale, children } = json.nodes[index];
+  if (mesh === undefined) return name === "hair_root" && children.length === json.nodes.length - 1 && json.scenes[0].nodes.length === 1 ? "" : `${name} holds no picture`;
+  const number = pages.push(index);
+  if (skin !== undefined || translation || rotation || children) return `${name} is more than a picture`;
+  const wanted = Array(3).fill(number === 1 ? 1 : 0);
+  if (JSON.stringify(scale ?? [1, 1, 1]) !== JSON.stringify(wanted)) return `${name} has the scale ${scale}`;
+  return name === `picture_${String(number).padStart(2, "0")}` ? "" : `picture ${number} is called ${name}`;
+}
+
 /** @returns {string} what is wrong, or "" */
-export function nodeFault({ json }) {
+export function nodeFault(glb) {
+  const { json } = glb;
+  if (isFlipBook(glb)) {
+    const pages = [];
+    return json.nodes.map((_, index) => pageFault(json, index, pages)).find((fault) => fault) ?? "";
+  }
   const names = json.nodes.map((node) => node.name);
   const twice = names.find((name, i) => names.indexOf(name) !== i);
   if (twice !== undefined) return `two nodes are called ${twice}`;
@@ -69,7 +88,9 @@ function rows(values, width, fault) {
 /** @returns {string} what is wrong with a mesh, or "" */
 export function meshFault(glb, mesh) {
   const { attributes, indices: indexAccessor } = mesh.primitives[0];
-  const [positions, normals, uvs, weights] = ["POSITION", "NORMAL", "TEXCOORD_0", "WEIGHTS_0"].map((name) => glb.data(attributes[name]));
+  const [positions, normals, uvs] = ["POSITION", "NORMAL", "TEXCOORD_0"].map((name) => glb.data(attributes[name]));
+  if ((attributes.WEIGHTS_0 === undefined) !== isFlipBook(glb)) return "has weights where nothing bends, or none where something does";
+  const weights = attributes.WEIGHTS_0 === undefined ? new Float32Array() : glb.data(attributes.WEIGHTS_0);
   const indices = glb.data(indexAccessor);
   for (const values of [positions, normals, uvs, weights]) {
     if (!values.every(Number.isFinite)) return "holds a number that is not finite";

@@ -10,19 +10,13 @@ import { join } from "node:path";
 import { AnimationMixer, InterpolateLinear, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-import { add, chainNodes, distance, inverse, lengthOf, product, restPoses, shownPictures, subtract, turned } from "./chains.mjs";
+import { add, chainNodes, distance, inverse, lengthOf, product, restPoses, secondsOf, shownPictures, subtract, turned } from "./chains.mjs";
 import { Checks } from "./checks.mjs";
 import { readGlb } from "./glb.mjs";
 import { meshFault, nodeFault } from "./invariants.mjs";
 
 const MOST_COMPARISONS = 4e6; // joints times frames per file and way of playing; larger files play fewer loops, at least 3
 const TOLERANCE = 1e-5; // of the chain's length, 2.5 micrometres on a hair of 25 cm; in metres where it has none
-
-/** Seconds of a frame, from a number or a fraction. */
-function secondsOf(frame, fps) {
-  const [numerator, denominator = 1] = String(fps).split("/").map(Number);
-  return (frame * denominator) / numerator;
-}
 
 /** The objects that three.js made of the file's nodes. */
 function objectsByNode(gltf) {

@@ -63,6 +63,41 @@ TEST(Hairstyles, MergedLayoutIsOneMeshWithOneSkin) {
     EXPECT_EQ(gltf["skins"][0]["joints"].size(), 12U);
 }
 
+TEST(Hairstyles, AFlipBookIsAMeshPerPictureWithoutSkins) {
+    nlohmann::json body = small_hairstyle();
+    body["tufts"].push_back(body["tufts"][0]);
+    Request request = json_post("/v1/hairstyles", body.dump());
+    request.query = {{"clip", "flip_book"}};
+    const nlohmann::json gltf = glb_json(body_of(answer_to(request)));
+    EXPECT_EQ(gltf["meshes"].size(), 6U);  // both tufts in each
+    EXPECT_FALSE(gltf.contains("skins"));
+    EXPECT_EQ(gltf["nodes"].size(), 7U);
+    EXPECT_EQ(gltf["nodes"][1]["scale"], nlohmann::json({1.0, 1.0, 1.0}));
+    EXPECT_EQ(gltf["nodes"][2]["scale"], nlohmann::json({0.0, 0.0, 0.0}));
+    ASSERT_EQ(gltf["animations"][0]["channels"].size(), 6U);
+    for (const auto& channel : gltf["animations"][0]["channels"]) EXPECT_EQ(channel["target"]["path"], "scale");
+    for (const auto& mesh : gltf["meshes"]) {  // triangles and texture coordinates are shared
+        EXPECT_EQ(mesh["primitives"][0]["indices"], gltf["meshes"][0]["primitives"][0]["indices"]);
+        EXPECT_FALSE(mesh["primitives"][0]["attributes"].contains("WEIGHTS_0"));
+    }
+}
+
+TEST(Hairstyles, OptionsOfClipsNeedAClip) {
+    nlohmann::json body = small_hairstyle();
+    const auto asked = [&](const NameValues& query) {
+        Request request = json_post("/v1/hairstyles", body.dump());
+        request.query = query;
+        return answer_to(request);
+    };
+    EXPECT_EQ(pointer_of(asked({{"format", "json"}, {"interpolation", "held"}})), "?interpolation");
+    EXPECT_EQ(pointer_of(asked({{"format", "bvh"}, {"clip", "flip_book"}})), "?clip");
+    EXPECT_EQ(slug_of(asked({{"format", "json"}, {"interpolation", "step"}, {"clip", "skeleton"}})), "no problem");
+    body.erase("motion");
+    EXPECT_EQ(pointer_of(asked({{"interpolation", "held"}})), "/motion");
+    EXPECT_EQ(pointer_of(asked({{"clip", "flip_book"}})), "/motion");
+    EXPECT_EQ(slug_of(asked({{"interpolation", "step"}})), "no problem");
+}
+
 TEST(Hairstyles, ANameThatDoesNotSurviveIsKeptInExtras) {
     nlohmann::json body = small_hairstyle();
     body["tufts"][0]["name"] = "前髪";
