@@ -56,7 +56,7 @@ constexpr std::array<QueryField, 28> kQueryFields{{{"amplitude", "/motion/wave/a
                                                    {"chains", "/chains", QueryValue::kText},
                                                    {"kinds", "/kinds", QueryValue::kText},
                                                    {"springs", "/springs", QueryValue::kText},
-                                                   {"clip", "/clip", QueryValue::kText}}};
+                                                   {"clip_name", "/clip_name", QueryValue::kText}}};
 
 struct Settings {
     Motion motion;
@@ -64,7 +64,7 @@ struct Settings {
     ChainChoice choice;
     std::vector<double> phases;  ///< radians, one per chain that moves; empty is 0 for all
     Springs springs = Springs::kKeep;
-    std::string clip = "wave";
+    std::string clip_name = "wave";
 };
 
 std::variant<Settings, Problem> read_settings(const Request& request, const Limits& limits) {
@@ -85,7 +85,7 @@ std::variant<Settings, Problem> read_settings(const Request& request, const Limi
     fields.text("kinds", 64, read.choice.kinds);
     fields.numbers("phases", limits.chains, limits.phase, read.phases);
     fields.choice("springs", kSpringChoices, read.springs);
-    fields.text("clip", kLongestClipName, read.clip);
+    fields.text("clip_name", kLongestClipName, read.clip_name);
     if (problems.empty()) return read;
     return as_query_problem(fields_problem(problems.take()), kQueryFields);
 }
@@ -231,13 +231,13 @@ Answer tool_file(const Upload& upload, const Moved& moved, Format format, const 
 std::variant<std::string, Problem> file_with_clip(Upload& upload, const Settings& settings, const Moved& moved,
                                                   const FileOptions& options) {
     const std::size_t binary_bytes = upload.glb.binary.size();
-    if (const auto fault = character::check_clip_fits(upload.file, settings.clip, binary_bytes))
+    if (const auto fault = character::check_clip_fits(upload.file, settings.clip_name, binary_bytes))
         return to_problem(*fault);
     if (settings.springs == Springs::kRemove)
         character::remove_springs(upload.file, upload.character, moved_chains(upload, moved));
     const std::string added =
         character::add_held_clip(upload.file, upload.character, node_keys(upload, moved),
-                                 gltf::clip_keys(moved.motion.schedule, options.holding), settings.clip,
+                                 gltf::clip_keys(moved.motion.schedule, options.holding), settings.clip_name,
                                  schedule_json(moved.motion.schedule), binary_bytes);
     return character::join_glb(upload.file.dump(), upload.glb.binary, added, upload.glb.others);
 }

@@ -10,8 +10,9 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<QueryField, 2> kQueryFields{
-    {{"repeat", "/repeat"}, {"interpolation", "/interpolation", QueryValue::kText}}};
+constexpr std::array<QueryField, 3> kQueryFields{{{"repeat", "/repeat"},
+                                                  {"interpolation", "/interpolation", QueryValue::kText},
+                                                  {"clip", "/clip", QueryValue::kText}}};
 
 Problem no_use(const std::string& pointer, const std::string& given, const std::string& allowed) {
     return fields_problem({{ProblemCode::kConflict, pointer, given, allowed, {}, {}}});

@@ -81,7 +81,7 @@ std::optional<Fault> check_clip_fits(const FileJson& json, const std::string& na
     const FileValue animations = file["animations"], buffers = file["buffers"];
     for (std::size_t i = 0, count = animations.size(); i < count; ++i) {
         if (animations.at(i)["name"].text() == name)
-            animations.at(i)["name"].refuse(Fault::Kind::kConflict, "another name than the new clip's, see ?clip");
+            animations.at(i)["name"].refuse(Fault::Kind::kConflict, "another name than the new clip's, see ?clip_name");
     }
     if (buffers.size() > 0) {
         const FileValue own = buffers.at(0);
