@@ -18,7 +18,7 @@ import time
 import urllib.error
 import urllib.request
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 DEFAULT_SERVER = "http://127.0.0.1:8080"
 OUTPUTS = [  # option, media type, help
@@ -32,6 +32,15 @@ LONGEST_WAIT_S = 60.0  # a service that asks for more is given up on
 
 
 @dataclass
+class Patience:
+    retries: int = 5  # how often a busy service is asked again
+    timeout_s: float = 60  # without a byte
+    reconnects: int = 0  # how often a service that drops or refuses the connection is tried again
+    wait: Callable[[float], Any] = time.sleep
+    say: Callable[[str], Any] = lambda text: print(text, file=sys.stderr)
+
+
+@dataclass
 class Answer:
     data: bytes
     frame_rate: Optional[str]  # frames per second, which an XDTS or CSV does not store
@@ -39,6 +48,10 @@ class Answer:
 
 class Refused(Exception):
     """The service answered, but not with the hair; the text is for people."""
+
+
+class Busy(Refused):
+    """The service has no time, even after all retries; later it may."""
 
 
 class NoService(Exception):
@@ -87,31 +100,53 @@ def seconds_to_wait(retry_after: Optional[str], attempt: int) -> float:
     return min(8.0, 0.5 * 2 ** attempt)
 
 
-def post(server: str, body: bytes, media_type: str, retries: int, timeout_s: float) -> Answer:
-    """One answer of POST /v1/hairstyles. Raises Refused or NoService."""
+def open_request(server: str, path: str, body: bytes, content_type: str, media_type: str, timeout_s: float) -> Answer:
+    """One request and its answer; raises what urllib raises, and NoService."""
     opener = urllib.request.build_opener(urllib.request.ProxyHandler({}), NoRedirects())
-    request = urllib.request.Request(server.rstrip("/") + "/v1/hairstyles", data=body, method="POST", headers={
-        "Content-Type": "application/json", "Accept": media_type, "User-Agent": "tuftwave-client"})
-    for attempt in range(retries + 1):
+    request = urllib.request.Request(server.rstrip("/") + path, data=body, method="POST", headers={
+        "Content-Type": content_type, "Accept": media_type, "User-Agent": "tuftwave-client"})
+    with opener.open(request, timeout=timeout_s) as response:
+        answered = response.headers.get_content_type()
+        if answered != media_type:
+            raise NoService(f"{server} answered with {answered} instead of {media_type}; is it a Tuftwave service?")
+        return Answer(response.read(), response.headers.get("Tuftwave-Frame-Rate"))
+
+
+def wait_if_busy(error: urllib.error.HTTPError, attempt: int, patience: Patience) -> None:
+    """Waits as long as the service asks for. Raises Refused where it said something else, Busy where it is time to give up."""
+    text = problem_text(error.code, read_body(error))
+    if error.code not in BUSY:
+        raise Refused(text) from None
+    if attempt == patience.retries:
+        raise Busy(text) from None
+    wait_s = seconds_to_wait(error.headers.get("Retry-After"), attempt)
+    if wait_s > LONGEST_WAIT_S:
+        raise Busy(f"{text}\nThe service asks to come back in {wait_s:.0f} s.") from None
+    patience.say(f"busy ({error.code}), asking again in {wait_s:g} s")
+    patience.wait(wait_s)
+
+
+def post(server: str, path: str, body: bytes, media_type: str, patience: Patience, content_type: str = "application/json") -> Answer:
+    """One answer of a POST, asked for as often as patience allows; the same bytes give the same answer, so that is safe.
+
+    Raises Refused, Busy or NoService.
+    """
+    attempt = reconnects = 0
+    while True:
         try:
-            with opener.open(request, timeout=timeout_s) as response:
-                answered = response.headers.get_content_type()
-                if answered != media_type:
-                    raise NoService(f"{server} answered with {answered} instead of {media_type}; is it a Tuftwave service?")
-                return Answer(response.read(), response.headers.get("Tuftwave-Frame-Rate"))
+            return open_request(server, path, body, content_type, media_type, patience.timeout_s)
         except urllib.error.HTTPError as error:
-            text = problem_text(error.code, read_body(error))
-            if error.code not in BUSY or attempt == retries:
-                raise Refused(text) from None
-            wait_s = seconds_to_wait(error.headers.get("Retry-After"), attempt)
-            if wait_s > LONGEST_WAIT_S:
-                raise Refused(f"{text}\nThe service asks to come back in {wait_s:.0f} s.") from None
-            print(f"busy ({error.code}), asking again in {wait_s:g} s", file=sys.stderr)
-            time.sleep(wait_s)
+            wait_if_busy(error, attempt, patience)
+            attempt += 1
         except (OSError, http.client.HTTPException, UnicodeError) as error:
             reason = getattr(error, "reason", None) or error
-            raise NoService(f"No answer from {server}: {str(reason) or type(reason).__name__}. Is the service running there?") from None
-    raise AssertionError("unreachable: the last attempt returns or raises")
+            text = f"No answer from {server}: {str(reason) or type(reason).__name__}."
+            if not isinstance(reason, ConnectionError) or reconnects == patience.reconnects:
+                raise NoService(f"{text} Is the service running there?") from None
+            wait_s = seconds_to_wait(None, reconnects)
+            patience.say(f"{text} Trying again in {wait_s:g} s")
+            patience.wait(wait_s)
+            reconnects += 1
 
 
 def write_whole(path: str, data: bytes) -> None:
@@ -121,6 +156,8 @@ def write_whole(path: str, data: bytes) -> None:
     try:
         with open(part, "xb") as file:
             file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
         os.replace(part, path)
     except BaseException:
         if os.path.exists(part):
@@ -155,7 +192,8 @@ def main(arguments: Optional[list[str]] = None) -> int:
             with open(options.hairstyle, "rb") as file:
                 body = file.read()
         wanted = [(getattr(options, option), media_type) for option, media_type, _ in OUTPUTS if getattr(options, option)]
-        answers = [(path, post(options.server, body, media_type, options.retries, options.timeout)) for path, media_type in wanted]
+        patience = Patience(options.retries, options.timeout)
+        answers = [(path, post(options.server, "/v1/hairstyles", body, media_type, patience)) for path, media_type in wanted]
         for path, answer in answers:
             write_whole(path, answer.data)
             rate = f", {answer.frame_rate} frames per second" if answer.frame_rate else ""

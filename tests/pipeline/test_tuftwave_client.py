@@ -51,6 +51,9 @@ class Stub(ThreadingHTTPServer):
         self.seen: list[tuple[str, str, bytes]] = []  # path, Accept, body
         self.url = f"http://127.0.0.1:{self.server_address[1]}"
 
+    def answer(self, accept: str) -> Reply:
+        return 200, {"Content-Type": f"{accept}; charset=utf-8", "Tuftwave-Frame-Rate": "24"}, accept.encode()
+
 
 class Handler(BaseHTTPRequestHandler):
     server: Stub
@@ -59,8 +62,7 @@ class Handler(BaseHTTPRequestHandler):
         body = self.rfile.read(int(self.headers["Content-Length"]))
         accept = self.headers["Accept"]
         self.server.seen.append((self.path, accept, body))
-        default = (200, {"Content-Type": f"{accept}; charset=utf-8", "Tuftwave-Frame-Rate": "24"}, accept.encode())
-        status, headers, content = self.server.replies.pop(0) if self.server.replies else default
+        status, headers, content = self.server.replies.pop(0) if self.server.replies else self.server.answer(accept)
         self.send_response(status)
         for name, value in {"Content-Length": str(len(content)), **headers}.items():
             self.send_header(name, value)
