@@ -314,7 +314,7 @@ def parse_arguments(arguments: Optional[list[str]]) -> argparse.Namespace:
     settings = parser.add_argument_group("settings", "as in the contract, POST /v1/characters/motion; the service checks them")
     for name, text in SETTINGS:
         settings.add_argument(f"--{name.replace('_', '-')}", dest=name, metavar="VALUE", help=text)
-    options = parser.parse_args(arguments)
+    options = parser.parse_intermixed_args(arguments)
     if not options.server.startswith(("http://", "https://")):
         parser.error(f"--server must begin with http:// or https://, not {options.server!r}")
     if min(options.retries, options.reconnects, options.settle) < 0 or not (options.timeout > 0 and options.every > 0):
