@@ -97,6 +97,13 @@ def frames_of(schedule, start):
     return [start + first for first in schedule["starts"]] + [start + schedule["frames"]]
 
 
+def check_found(name, chains, character):
+    """The chains that the add-on finds are those that the service finds in the file itself, ends and all."""
+    found = json.loads(post_character(os.path.join(CHARACTERS, character), "json", "hair"))["chains"]
+    expected = sorted([bone["name"] for bone in chain["bones"]] for chain in found)
+    check(f"{name}: chains", sorted(chain.bones for chain in chains) == expected, f"{sorted(chain.bones for chain in chains)} instead of {expected}")
+
+
 def check_made_files():
     """What the add-on wrote as a script, see TIMINGS of check_blender.py."""
     timings = [(0, {"period": 0.45}, 24), (7, {"period": 0.8, "hold": 3}, 30), (0, {"period": 0.58}, "24000/1001")]
@@ -115,12 +122,13 @@ def check_made_files():
             check(f"{name}: range", (scene.frame_start, scene.frame_end) == (start, start + schedule["frames"] - 1))
             check(f"{name}: frame rate", hair.frame_rate(scene) == fps, hair.frame_rate(scene))
             if number == 0:
+                check_found(name, chains, next(c for c in os.listdir(CHARACTERS) if file.startswith(os.path.splitext(c)[0] + ".hair")))
                 print(f"  {file}: {len(chains)} chains, worst node {worst:.1g} of its chain's length")
 
 
-def post_character(path, word):
+def post_character(path, word, kinds):
     with open(path, "rb") as file:
-        request = urllib.request.Request(f"{URL}/v1/characters/motion?format={word}&kinds=hair,ribbon", data=file.read(), method="POST",
+        request = urllib.request.Request(f"{URL}/v1/characters/motion?format={word}&kinds={kinds}", data=file.read(), method="POST",
                                          headers={"Content-Type": "model/gltf-binary"})
     with urllib.request.urlopen(request) as response:
         return response.read()
@@ -130,9 +138,9 @@ def check_clips():
     """What /v1/characters/motion answers, imported by Blender's own importer."""
     for file in ("godette.vrm0.vrm", "godette.vrm1.vrm", "pmca_sample3.glb", "vroid_Vita.chains.glb"):
         path, copy = os.path.join(CHARACTERS, file), os.path.join(FOLDER, "clip.glb")
-        answer = json.loads(post_character(path, "json"))
+        answer = json.loads(post_character(path, "json", "hair,ribbon"))
         with open(copy, "wb") as out:
-            out.write(post_character(path, "glb"))
+            out.write(post_character(path, "glb", "hair,ribbon"))
         hair.open_file(copy, "24")
         armature = next(o for o in bpy.data.objects if o.type == "ARMATURE")
         chains = [hair.Chain([bone["name"] for bone in chain["bones"]], [hair.from_gltf(bone["position"]) for bone in chain["bones"]]
@@ -205,7 +213,7 @@ def check_operator():
     moved = armature.matrix_world @ head.matrix @ armature.matrix_world.inverted() @ rest.inverted()
     settings = bpy.context.scene.tuftwave_hair
     settings.wind, settings.period, settings.spread, settings.one_sided, settings.start = (0.3, -1, 0.2), 0.5, 0.7, True, 3
-    for again in ("first", "again"):
+    for again, settings.hold in (("first", 2), ("again, with fewer keys", 3)):
         check(f"operator, {again}", bpy.ops.pose.tuftwave_hair() == {"FINISHED"})
         chains = hair.find_chains(armature, {bone.name for bone in armature.data.bones if bone.select})
         values = {name: getattr(settings, name) for name, _, _, _ in hair.SETTINGS}
