@@ -509,7 +509,7 @@ def property_of(name, default, text):
 class TuftwaveHairSettings(bpy.types.PropertyGroup):
     __annotations__ = {
         **{name: property_of(name, default, text) for name, default, _, text in SETTINGS},
-        "wind": bpy.props.FloatVectorProperty(name="Wind", default=(1, 0, 0), subtype="DIRECTION", description="Where it blows to"),
+        "wind": bpy.props.FloatVectorProperty(name="Wind", default=(1, 0, 0), subtype="XYZ", description="Where it blows to"),
         "start": bpy.props.IntProperty(name="Start", default=1, description="Frame of the first picture"),
         "loop": bpy.props.BoolProperty(name="Repeat", default=True, description="Repeat the cycle for ever, by a modifier on each F-curve"),
         "set_range": bpy.props.BoolProperty(name="Set frame range", default=False, description="Make the scene as long as one cycle"),
@@ -572,7 +572,7 @@ class VIEW3D_PT_tuftwave_hair(bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.scene.tuftwave_hair
-        layout.use_property_split = True
+        layout.use_property_split, layout.use_property_decorate = True, False
         for name in ["wind", *(name for name, _, _, _ in SETTINGS), "start", "loop", "set_range"]:
             layout.prop(settings, name)
         layout.operator(POSE_OT_tuftwave_hair.bl_idname, icon="FORCE_WIND")
