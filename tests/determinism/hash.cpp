@@ -20,6 +20,7 @@
 #include "tuftwave/quality.hpp"
 #include "tuftwave/random.hpp"
 #include "tuftwave/scalp.hpp"
+#include "tuftwave/skinning.hpp"
 
 namespace tuftwave {
 namespace {
@@ -138,17 +139,27 @@ void add_mesh(Hash& hash, const Mesh& mesh) {
     hash.add_all(std::span(mesh.indices));
 }
 
+/// How the nodes of all pictures are turned, and the vertices of the last one.
+void add_posed(Hash& hash, const Mesh& rest, const Chain& chain, const ChainMotion& moved) {
+    for (const Quat& turn : model_turns(chain, moved.rotations)) hash.add(turn);
+    std::vector<float> positions(rest.positions.size()), normals(rest.normals.size());
+    write_posed_vertices(rest, chain, std::span(moved.rotations).last(chain.nodes.size()), positions, normals);
+    for (const auto* numbers : {&positions, &normals}) hash.add_all(std::span<const float>(*numbers));
+}
+
 void print_plan(const std::string& what, const Hairstyle& hairstyle) {
     const Result<HairPlan> plan = plan_hairstyle(hairstyle, Limits{}, InOrder(), std::stop_token{});
     if (!plan) {
         std::printf("%-32s refused at %s\n", what.c_str(), plan.error().field.c_str());
         return;
     }
-    Hash meshes, motions;
+    Hash meshes, motions, posed;
     for (std::size_t i = 0; i < plan->tufts.size(); ++i) {
-        add_mesh(meshes, to_mesh(plan->tufts[i]));
+        const Mesh mesh = to_mesh(plan->tufts[i]);
+        add_mesh(meshes, mesh);
         const Chain& chain = plan->chains[i];
         const ChainMotion& moved = plan->motion->chains[i];
+        add_posed(posed, mesh, chain, moved);
         for (const Vec3& node : chain.nodes) meshes.add(node);
         for (const Quat& rotation : moved.rotations) motions.add(rotation);
         for (const Vec3& position : node_positions(chain, std::span(moved.rotations).first(chain.nodes.size())))
@@ -157,6 +168,7 @@ void print_plan(const std::string& what, const Hairstyle& hairstyle) {
     }
     meshes.print(what + " meshes");
     motions.print(what + " motions");
+    posed.print(what + " posed");
 }
 
 void hash_meshes() {
