@@ -23,6 +23,7 @@ ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 sys.path.insert(0, os.path.join(HERE, "..", "contract"))
 
 from service import Service  # noqa: E402
+from uploads import write_uploads  # noqa: E402
 
 PIPELINE = os.path.join(ROOT, "client-examples", "pipeline")
 DATA = os.path.join(ROOT, "tests", "data")
@@ -289,10 +290,11 @@ def check(server: str, directory: str) -> int:
     with Service(server) as service:
         files = Files(service, directory)
         write_files(files)
+        write_uploads(service, os.path.join(directory, "uploads"), files.check)
     passed, failed = files.passed, files.failed
     print(f"{len(os.listdir(directory))} files in {directory}")
-    for script in ("validate.mjs", "playback.mjs", "flip_book.mjs", "poses.mjs"):
-        more_passed, more_failed = run_node(script, directory)
+    for script in ("validate.mjs", "playback.mjs", "flip_book.mjs", "poses.mjs", "uploads.mjs"):
+        more_passed, more_failed = run_node(script, os.path.join(directory, "uploads") if script == "uploads.mjs" else directory)
         passed, failed = passed + more_passed, failed + more_failed
     print(f"{passed} passed, {failed} failed")
     return 0 if passed and not failed else 1
