@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/echo.hpp"
 #include "api/read_nouns.hpp"
 
 namespace tuftwave::server {
@@ -10,10 +11,37 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
+/// A line's nodes, each of three numbers, or of two, which lie in the plane z = 0.
+void read_line(const json& value, const Place& place, std::size_t most, FieldProblems& problems, Line& into) {
+    const auto refuse = [&](const json& given, const Place& at, const char* wanted) {
+        problems.add({ProblemCode::kWrongType, at.pointer(), echo(given), wanted, {}, {}});
+    };
+    if (!value.is_array()) return refuse(value, place, "an array of points");
+    if (const Check wrong = check_count(value.size(), 0, most, ""))
+        return problems.add(to_field_problem(*wrong, place.pointer()));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const json& point = value[i];
+        const Place at(place, i);
+        if (!point.is_array() || point.size() < 2 || point.size() > 3) {
+            refuse(point, at, "two or three numbers");
+            continue;
+        }
+        double parts[3] = {};
+        for (std::size_t axis = 0; axis < point.size(); ++axis) {
+            if (const auto number = as_number(point[axis])) {
+                parts[axis] = *number;
+            } else {
+                refuse(point[axis], Place(at, axis), "a number");
+            }
+        }
+        into.push_back({parts[0], parts[1], parts[2]});
+    }
+}
+
 void read_pictures(Fields& fields, FieldProblems& problems, const Limits& limits, std::vector<Line>& into) {
     fields.require("pictures");
     fields.items("pictures", limits.pictures, [&](const json& picture, const Place& at) {
-        read_points(picture, at, limits.nodes_per_chain, problems, into.emplace_back());
+        read_line(picture, at, limits.nodes_per_chain, problems, into.emplace_back());
     });
 }
 
@@ -34,7 +62,7 @@ void read_fitted_lines(const json& value, const Place& place, FieldProblems& pro
     fields.text("name", kLongestName, into.name);
     read_pictures(fields, problems, limits, into.pictures);
     fields.optional_member("rest", [&](const json& rest, const Place& at) {
-        read_points(rest, at, limits.nodes_per_chain, problems, into.rest.emplace());
+        read_line(rest, at, limits.nodes_per_chain, problems, into.rest.emplace());
     });
     fields.done();
 }

@@ -5,28 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "api/echo.hpp"
+
 namespace tuftwave::server {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t kLongestEcho = 64;  // bytes of a client's string that go back in a problem
-
-/// A scalar as it goes back in a problem; of an array or object only what it is.
-std::variant<std::monostate, double, std::string> echo(const json& value) {
-    if (const auto* number = value.get_ptr<const json::number_float_t*>()) return *number;
-    if (const auto* natural = value.get_ptr<const json::number_unsigned_t*>()) return static_cast<double>(*natural);
-    if (const auto* integer = value.get_ptr<const json::number_integer_t*>()) return static_cast<double>(*integer);
-    if (const auto* text = value.get_ptr<const json::string_t*>()) return text->substr(0, kLongestEcho);
-    if (const auto* flag = value.get_ptr<const json::boolean_t*>()) return std::string(*flag ? "true" : "false");
-    return std::string(value.type_name());
-}
-
-std::optional<double> as_number(const json& value) {
-    if (!value.is_number()) return {};
-    const auto echoed = echo(value);
-    return std::get<double>(echoed);
-}
 
 /// Unicode characters in UTF-8, which the parser has already checked.
 std::size_t characters(std::string_view text) {
@@ -303,33 +287,6 @@ void Fields::done() {
                        names,
                        {},
                        {}});
-    }
-}
-
-void read_points(const json& value, const Place& place, std::size_t most, FieldProblems& problems,
-                 std::vector<Vec3>& into) {
-    const auto refuse = [&](const json& given, const Place& at, const char* wanted) {
-        problems.add({ProblemCode::kWrongType, at.pointer(), echo(given), wanted, {}, {}});
-    };
-    if (!value.is_array()) return refuse(value, place, "an array of points");
-    if (const Check wrong = check_count(value.size(), 0, most, ""))
-        return problems.add(to_field_problem(*wrong, place.pointer()));
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const json& point = value[i];
-        const Place at(place, i);
-        if (!point.is_array() || point.size() < 2 || point.size() > 3) {
-            refuse(point, at, "two or three numbers");
-            continue;
-        }
-        double parts[3] = {};
-        for (std::size_t axis = 0; axis < point.size(); ++axis) {
-            if (const auto number = as_number(point[axis])) {
-                parts[axis] = *number;
-            } else {
-                refuse(point[axis], Place(at, axis), "a number");
-            }
-        }
-        into.push_back({parts[0], parts[1], parts[2]});
     }
 }
 

@@ -120,8 +120,4 @@ class Fields {
     std::set<std::string_view> known_;
 };
 
-/// Reads an array of at most `most` points, each of three numbers, or of two, which lie in the plane z = 0.
-void read_points(const nlohmann::json& value, const Place& place, std::size_t most, FieldProblems& problems,
-                 std::vector<Vec3>& into);
-
 }  // namespace tuftwave::server

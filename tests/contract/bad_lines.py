@@ -104,7 +104,7 @@ FITS = [
     *outside("/drawn/0/rest/1/1", -1e6, 1e6),
     Row("a length is for evaluations", {"/drawn/0/rest_length": 1}, "unknown_field", "/drawn/0/rest_length"),
     Row("a drawn chain too many", {"/drawn": [{"pictures": [FLAT_LINE] * 2}] * 16385}, "too_many", "/drawn"),
-    Row("too many drawn nodes", {"/drawn": [{"pictures": [FLAT_LINE] * 2}] * 5462}, "too_many", "/drawn"),
+    Row("too many drawn nodes", {"/drawn": [{"pictures": [FLAT_LINE] * 2}] * 2731}, "too_many", "/drawn"),
     Row("mode is no choice", {"/mode": "free"}, "not_a_choice", "/mode"),
     Row("mode is null", {"/mode": None}, "not_a_choice", "/mode"),
     Row("wind has no length", {"/wind": [0, 0, 0]}, "degenerate", "/wind"),

@@ -152,7 +152,7 @@ class BadInputs(ServiceTest):
                 ("motions", "/chains/0/nodes", rows.LONGEST_CHAIN),
                 ("motions", "/chains", [rows.SMALL_CHAIN] * 16384),
                 ("evaluations", "/drawn/0/name", "\u9aea" * 64),
-                ("fits", "/drawn", [{"pictures": [rows.LONGEST_CHAIN] * 12 + [rows.OTHER_LONGEST_CHAIN] * 12}] * 21)):
+                ("fits", "/drawn", [{"pictures": [rows.LONGEST_CHAIN] * 12 + [rows.OTHER_LONGEST_CHAIN] * 12}] * 10)):
             with self.subTest(f"{operation} {pointer}"):
                 answer = self.service.post(f"/v1/{operation}", changed(operation, {pointer: value}))
                 self.assertEqual(answer.status, 200, answer.body[:300])

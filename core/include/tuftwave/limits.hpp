@@ -30,7 +30,7 @@ struct Limits {
     std::size_t joints = 65'536;         ///< in all chains; joint indices are 16 bits
     std::size_t node_poses = 1'048'576;  ///< nodes of all chains times pictures
     std::size_t joint_keys = 1'048'576;  ///< joints of all chains times the keys that a file has of each
-    std::size_t drawn_nodes = 32'768;    ///< nodes of all drawings times pictures, in a fit
+    std::size_t drawn_nodes = 16'384;    ///< nodes of all drawings times pictures, in a fit
     std::size_t rings_per_tuft = 4'096;
     std::size_t vertices = 2'000'000;  ///< in one answer; about 52 bytes each
     std::size_t triangles = 4'000'000;
