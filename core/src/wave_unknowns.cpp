@@ -26,9 +26,12 @@ WaveBounds::WaveBounds(const DrawnPlane& plane, const Limits& limits)
     : wave_number_least(1 / limits.spatial_period.maximum),
       wave_number_most(std::clamp(kPi / longest_run(plane), 1.0, 1 / limits.spatial_period.minimum)),
       is_one_way(plane.pictures() < 3),
-      exponent(limits.tip_exponent) {}
+      exponent(limits.tip_exponent),
+      size_most(limits.amplitude.maximum / (limits.lightness.minimum * limits.lightness.minimum)) {}
 
 WaveUnknowns WaveBounds::clamped(WaveUnknowns unknowns) const {
+    for (const Unknown linear : {kCosine, kSine, kDroop})
+        unknowns[linear] = std::clamp(unknowns[linear], -size_most, size_most);
     double& q = unknowns[kWaveNumber];
     q = q < 0 && !is_one_way ? -std::clamp(-q, wave_number_least, wave_number_most)
                              : std::clamp(q, wave_number_least, wave_number_most);

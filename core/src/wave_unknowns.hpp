@@ -27,6 +27,7 @@ struct WaveBounds {
     double wave_number_least = 0, wave_number_most = 0;  ///< of the magnitude
     bool is_one_way = false;  ///< only waves from root to tip: two pictures do not tell them from the others
     Range exponent{};
+    double size_most = 0;  ///< of the magnitudes of C, S and B: those of the largest wave within the limits
 
     /// Waves within the limits, and not shorter than two of the longest segments: shorter ones look like longer ones.
     WaveBounds(const DrawnPlane& plane, const Limits& limits);

@@ -190,6 +190,10 @@ TEST(FitWaves, OfScribblesEndAndStayWithinTheLimits) {
             for (int i = 0; i < nodes; ++i) line.push_back(random.in_cube(random.below(5) == 0 ? 1e6 : 1));
             drawing.pictures.push_back(line);
         }
+        if (random.below(3) == 0) {  // a rest pose of another size altogether
+            drawing.rest.emplace();
+            for (int i = 0; i < nodes; ++i) drawing.rest->push_back(random.in_cube(random.below(2) == 0 ? 1e-8 : 1e6));
+        }
         const Fit fit = fitted(drawing, fit_settings(mode));
         EXPECT_FALSE(check_wave(fit.wave, {})) << round;
         EXPECT_LE(fit.steps, FitSettings{}.steps);
