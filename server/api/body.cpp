@@ -16,6 +16,15 @@ std::string media_type(const std::string& header) {
     return type;
 }
 
+/// Bodies are checked by their parser, queries by nobody else.
+bool is_utf8(const std::string& text) {
+    try {
+        return !nlohmann::json(text).dump().empty();
+    } catch (const nlohmann::json::type_error&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 std::optional<Problem> check_media_type(const Request& request, std::initializer_list<std::string_view> understood) {
@@ -45,7 +54,11 @@ std::optional<Problem> check_query(const Request& request, const std::vector<std
             return fields_problem(
                 {{ProblemCode::kDuplicateKey, "?" + name.substr(0, 64), {}, "each parameter once", {}, {}}});
         seen.push_back(name);
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+        if (is_known && !is_utf8(value))
+            return fields_problem(
+                {{ProblemCode::kWrongType, "?" + name, value.substr(0, 64), "text in UTF-8", {}, {}}});
+        if (is_known) continue;
         std::string names;
         for (const std::string_view word : known) names += (names.empty() ? "" : ", ") + std::string(word);
         return fields_problem({{ProblemCode::kUnknownField, "?" + name.substr(0, 64), {}, names, {}, {}}});

@@ -12,6 +12,8 @@ namespace {
 
 using Chosen = std::variant<std::vector<std::size_t>, Problem>;
 
+constexpr std::size_t kMostComparisons = 1'073'741'824;  // of bytes: a second
+
 std::vector<std::string_view> split(std::string_view list) {
     std::vector<std::string_view> words;
     while (true) {
@@ -64,6 +66,11 @@ Problem refused(ProblemCode code, const char* parameter, std::string_view word, 
 }
 
 Chosen by_name(const character::FoundChains& found, std::string_view list) {
+    std::size_t bytes = 0;
+    for (const character::FoundChain& chain : found.chains) bytes += chain.name.size();
+    if (bytes > kMostComparisons / list.size())
+        return refused(ProblemCode::kTooMany, "?chains", list,
+                       "a shorter list, since the names of the chains have " + std::to_string(bytes) + " bytes");
     std::set<std::size_t> chosen;
     for (const std::string_view word : split(list)) {
         bool is_found = false;

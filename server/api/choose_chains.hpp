@@ -17,7 +17,7 @@ struct ChainChoice {
 };
 
 /// @return  indices of the wanted chains, each once, in the file's order; or not_a_choice where a word fits no chain,
-///          conflict where both are given, too_few where nothing is left
+///          conflict where both are given, too_few where nothing is left, too_many where it would take long to compare
 std::variant<std::vector<std::size_t>, Problem> choose_chains(const character::FoundChains& found,
                                                               const ChainChoice& choice);
 

@@ -1,6 +1,7 @@
 #include "api/json_guard.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -76,7 +77,11 @@ class Scan {
 
     void key(std::string_view name, bool is_escaped, std::size_t start) {
         std::vector<std::string_view>& keys = open_.back().keys;
-        if (is_escaped) {  // an escaped key could hide a second one; none of ours needs it
+        if (is_escaped && limits_.has_escaped_keys) {
+            name = unescaped(name);
+            is_escaped = false;
+        }
+        if (is_escaped) {  // an escaped key could hide a second one
             problem_ = refusal(ProblemCode::kMalformed, "A key contains a backslash" + at_byte(start) + ".");
         } else if (std::find(keys.begin(), keys.end(), name) != keys.end()) {
             problem_ = refusal(ProblemCode::kDuplicateKey, "The key \"" + std::string(name.substr(0, 64)) +
@@ -86,6 +91,12 @@ class Scan {
                                                                 " keys in one object" + at_byte(start) + ".");
         }
         keys.push_back(name);
+    }
+
+    /// What an escaped key says; of a broken one, which the parser refuses, nothing.
+    std::string_view unescaped(std::string_view name) {
+        const nlohmann::json read = nlohmann::json::parse('"' + std::string(name) + '"', nullptr, false);
+        return read.is_string() ? unescaped_.emplace_back(read.get<std::string>()) : std::string_view{};
     }
 
     struct Open {
@@ -98,6 +109,7 @@ class Scan {
     std::size_t at_ = 0, values_ = 1;
     bool expects_key_ = false;
     std::vector<Open> open_;
+    std::deque<std::string> unescaped_;  // what keys point to
     std::optional<Problem> problem_;
 };
 

@@ -15,6 +15,7 @@ struct JsonLimits {
     std::size_t depth = 32;
     std::size_t values = 2'000'000;  ///< 131,072 points are 524,288 values, 16,384 tufts 262,144, a scalp 1,200,000
     std::size_t keys_per_object = 64;
+    bool has_escaped_keys = false;  ///< ours need none; exporters that keep to ASCII write them
 };
 
 /// Parses a client's JSON behind a scan of its bytes: size, nesting, number of values, duplicate keys. A deep document

@@ -9,7 +9,7 @@ namespace tuftwave::server {
 namespace {
 
 /// What the JSON of a file may be. A face with many expressions nests deeper and has longer lists than what we ask for.
-constexpr JsonLimits kFileJson{16 * 1024 * 1024, 64, 2'000'000, 256};
+constexpr JsonLimits kFileJson{16 * 1024 * 1024, 64, 2'000'000, 256, true};
 
 ProblemCode code_of(character::Fault::Kind kind) {
     using Kind = character::Fault::Kind;

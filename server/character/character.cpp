@@ -64,7 +64,7 @@ void read_nodes(const FileValue& nodes, Character& character) {
     for (std::size_t i = 0; i < count; ++i) {
         const FileValue value = nodes.at(i);
         Node& node = character.nodes[i];
-        node.name = value["name"].text();
+        node.name = value["name"].name();
         node.has_mesh = value["mesh"].exists();
         if (!read_placement(value, node)) return;
         node.children = value["children"].indices(count);
@@ -148,7 +148,7 @@ void read_vrm1(const FileValue& extensions, Character& character) {
     for (std::size_t i = 0, springs_count = springs.size(); i < springs_count; ++i) {
         const FileValue joints = springs.at(i)["joints"];
         Spring& spring = character.springs.emplace_back();
-        spring.name = springs.at(i)["name"].text();
+        spring.name = springs.at(i)["name"].name();
         for (std::size_t j = 0, joints_count = joints.size(); j < joints_count; ++j) {
             if (const auto node = joints.at(j)["node"].index(count)) spring.joints.push_back(*node);
         }
@@ -160,11 +160,11 @@ void read_vrm0(const FileValue& vrm, Character& character) {
     const FileValue bones = vrm["humanoid"]["humanBones"];
     for (std::size_t i = 0, bone_count = bones.size(); i < bone_count; ++i) {
         const FileValue bone = bones.at(i);
-        if (const auto node = bone["node"].index(count)) character.humanoid.emplace(bone["bone"].text(), *node);
+        if (const auto node = bone["node"].index(count)) character.humanoid.emplace(bone["bone"].name(), *node);
     }
     const FileValue groups = vrm["secondaryAnimation"]["boneGroups"];
     for (std::size_t i = 0, group_count = groups.size(); i < group_count; ++i)
-        character.bone_groups.push_back({groups.at(i)["comment"].text(), groups.at(i)["bones"].indices(count)});
+        character.bone_groups.push_back({groups.at(i)["comment"].name(), groups.at(i)["bones"].indices(count)});
 }
 
 }  // namespace

@@ -64,6 +64,14 @@ std::string FileValue::text() const {
     return "";
 }
 
+std::string FileValue::name() const {
+    constexpr std::size_t kLongest = 1024;  // bytes
+    std::string name = text();
+    if (name.size() <= kLongest) return name;
+    refuse(Fault::Kind::kOutOfRange, "a name of at most " + std::to_string(kLongest) + " bytes");
+    return "";
+}
+
 bool FileValue::flag() const {
     if (!exists()) return false;
     if (json_->is_boolean()) return json_->get<bool>();

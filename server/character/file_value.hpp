@@ -32,6 +32,7 @@ class FileValue {
     std::vector<std::string> keys() const;              ///< of an object; none if absent, wrong if this is none
 
     std::string text() const;                                  ///< "" if absent
+    std::string name() const;                                  ///< text that answers may repeat, so not an endless one
     bool flag() const;                                         ///< false if absent
     std::optional<std::size_t> whole(std::size_t most) const;  ///< from 0 to `most`
     std::optional<int> index(std::size_t count) const;         ///< below `count`

@@ -1,6 +1,7 @@
 #include "character/found_chains.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "character/judge.hpp"
@@ -34,7 +35,11 @@ class Finder {
     Vec3 place(int index) const { return node(index).model.origin; }
     const OwnVertices& own(int index) const { return own_[static_cast<std::size_t>(index)]; }
     bool is_taken(int index) const { return taken_[static_cast<std::size_t>(index)]; }
-    void skip(int index, std::string_view reason) { found_.skipped.push_back({index, reason}); }
+
+    /// Once, however many springs name it.
+    void skip(int index, std::string_view reason) {
+        if (skipped_.insert({index, reason}).second) found_.skipped.push_back({index, reason});
+    }
 
     /// What hangs on a bone: joints; below the last joint whatever carries no mesh.
     std::vector<int> bones_below(int index) const {
@@ -147,6 +152,7 @@ class Finder {
     const std::vector<OwnVertices>& own_;
     const std::size_t most_nodes_;
     std::vector<bool> taken_, body_;
+    std::set<std::pair<int, std::string_view>> skipped_;
     FoundChains found_;
 };
 

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
-#include <tuple>
+#include <utility>
 
 #include "character/accessor.hpp"
 
@@ -30,13 +31,16 @@ std::vector<Affine> bind_transforms(const FileValue& file, std::string_view bina
     return transforms;
 }
 
+/// The accessors of a primitive's positions, joints and weights.
+using Accessors = std::array<int, 3>;
+
 /// One primitive's skinned vertices; nothing if it has none that can be read.
 struct SkinnedVertices {
     AccessorView positions, joints, weights;
 };
 
 std::optional<SkinnedVertices> open_vertices(const FileValue& file, std::string_view binary,
-                                             const std::array<int, 3>& accessors) {
+                                             const Accessors& accessors) {
     std::array<std::optional<AccessorView>, 3> views;
     for (std::size_t i = 0; i < 3; ++i) {
         views[i] = AccessorView::open(file, static_cast<std::size_t>(accessors[i]), binary);
@@ -76,14 +80,25 @@ class Search {
           character_(character),
           most_(most),
           accessors_(file["accessors"].size()),
-          transforms_(character.skins.size()),
           found_(character.nodes.size()) {}
 
+    /// Each pair once, and all meshes of a skin before the next skin.
     /// @return  false once something is wrong
-    bool add_mesh(int skin, const FileValue& mesh) {
-        const FileValue primitives = mesh["primitives"];
-        for (std::size_t p = 0, count = primitives.size(); p < count; ++p) {
-            if (!add_primitive(skin, primitives.at(p))) return false;
+    bool add_mesh(int index, const FileValue& mesh, int mesh_index) {
+        const Skin& skin = character_.skins[static_cast<std::size_t>(index)];
+        if (skin.joints.empty()) return true;
+        if (index != skin_) transforms_ = bind_transforms(file_, binary_, character_, skin);
+        skin_ = index;
+        for (const std::size_t number : primitives_of(mesh, mesh_index)) {
+            Primitive& primitive = primitives_[number];
+            const bool is_new = primitive.last_skin != index;
+            vertices_ += is_new ? primitive.vertices.positions.count() : 1;  // looking at it again is not free either
+            if (vertices_ > most_) {
+                mesh.refuse(Fault::Kind::kTooMany, "at most " + std::to_string(most_) + " skinned vertices in all");
+                return false;
+            }
+            primitive.last_skin = index;
+            if (is_new) add_vertices(primitive.vertices, skin, transforms_, character_, found_);
         }
         return true;
     }
@@ -96,25 +111,38 @@ class Search {
     }
 
   private:
-    bool add_primitive(int skin, const FileValue& primitive) {
-        const FileValue attributes = primitive["attributes"];
+    /// Vertices that can be read; primitives often share them.
+    struct Primitive {
+        SkinnedVertices vertices;
+        int last_skin = -1;  ///< that they were added for
+    };
+
+    /// Numbers of a mesh's readable primitives, each once. Many skins may wear the mesh, but it is read once.
+    const std::vector<std::size_t>& primitives_of(const FileValue& mesh, int mesh_index) {
+        const auto [place, is_new] = meshes_.try_emplace(mesh_index);
+        if (!is_new) return place->second;
+        const FileValue primitives = mesh["primitives"];
+        std::set<std::size_t> numbers;
+        for (std::size_t p = 0, count = primitives.size(); p < count; ++p) {
+            if (const auto number = number_of(primitives.at(p)["attributes"])) numbers.insert(*number);
+        }
+        place->second.assign(numbers.begin(), numbers.end());
+        return place->second;
+    }
+
+    std::optional<std::size_t> number_of(const FileValue& attributes) {
         const auto positions = attributes["POSITION"].index(accessors_),
                    joints = attributes["JOINTS_0"].index(accessors_),
                    weights = attributes["WEIGHTS_0"].index(accessors_);
-        if (!positions || !joints || !weights) return true;
-        if (!seen_.insert({skin, {*positions, *joints, *weights}}).second) return true;
-        const auto vertices = open_vertices(file_, binary_, {*positions, *joints, *weights});
-        if (!vertices) return true;
-        vertices_ += vertices->positions.count();
-        if (vertices_ > most_) {
-            primitive.refuse(Fault::Kind::kTooMany, "at most " + std::to_string(most_) + " skinned vertices in all");
-            return false;
+        if (!positions || !joints || !weights) return {};
+        const Accessors accessors{*positions, *joints, *weights};
+        const auto [place, is_new] = numbers_.try_emplace(accessors);
+        if (!is_new) return place->second;
+        if (const auto vertices = open_vertices(file_, binary_, accessors)) {
+            place->second = primitives_.size();
+            primitives_.push_back({*vertices});
         }
-        const auto slot = static_cast<std::size_t>(skin);
-        if (transforms_[slot].empty())
-            transforms_[slot] = bind_transforms(file_, binary_, character_, character_.skins[slot]);
-        add_vertices(*vertices, character_.skins[slot], transforms_[slot], character_, found_);
-        return true;
+        return place->second;
     }
 
     const FileValue& file_;
@@ -122,8 +150,11 @@ class Search {
     const Character& character_;
     const std::size_t most_, accessors_;
     std::size_t vertices_ = 0;
-    std::set<std::tuple<int, std::array<int, 3>>> seen_;  // primitives often share their vertices
-    std::vector<std::vector<Affine>> transforms_;         // of each skin, once it is needed
+    std::map<Accessors, std::optional<std::size_t>> numbers_;  // nothing where they cannot be read
+    std::vector<Primitive> primitives_;
+    std::map<int, std::vector<std::size_t>> meshes_;
+    int skin_ = -1;
+    std::vector<Affine> transforms_;  // of that skin
     std::vector<OwnVertices> found_;
 };
 
@@ -135,10 +166,14 @@ std::variant<std::vector<OwnVertices>, Fault> find_own_vertices(const FileJson& 
     const FileValue file(&json, "", fault);
     const FileValue nodes = file["nodes"], meshes = file["meshes"];
     Search search(file, binary, character, most_vertices);
+    std::set<std::pair<int, int>> worn;  // skins and meshes; many nodes may share both
     for (std::size_t n = 0; n < character.nodes.size() && !fault; ++n) {
         const auto skin = nodes.at(n)["skin"].index(character.skins.size());
         const auto mesh = nodes.at(n)["mesh"].index(meshes.size());
-        if (skin && mesh && !search.add_mesh(*skin, meshes.at(static_cast<std::size_t>(*mesh)))) break;
+        if (skin && mesh) worn.insert({*skin, *mesh});
+    }
+    for (const auto& [skin, mesh] : worn) {
+        if (fault || !search.add_mesh(skin, meshes.at(static_cast<std::size_t>(mesh)), mesh)) break;
     }
     if (fault) return *std::move(fault);
     return search.finish();

@@ -33,14 +33,16 @@ std::vector<std::size_t> preorder_numbers(const Character& character, const Node
     return numbers;
 }
 
-/// Takes items out of a list; an empty list goes too, since VRM's schemas want none.
+/// Takes items out of a list; a list that becomes empty goes too, since VRM's schemas want none.
 template <class IsGone>
 void remove_items(FileJson& owner, const char* list, IsGone is_gone) {
+    if (!owner.contains(list)) return;
     FileJson kept = FileJson::array();
-    for (std::size_t i = 0; i < owner[list].size(); ++i) {
+    const std::size_t count = owner[list].size();
+    for (std::size_t i = 0; i < count; ++i) {
         if (!is_gone(i)) kept.push_back(std::move(owner[list][i]));
     }
-    if (kept.empty()) {
+    if (kept.empty() && count > 0) {
         owner.erase(list);
     } else {
         owner[list] = std::move(kept);

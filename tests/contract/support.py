@@ -6,10 +6,12 @@ import json
 import struct
 import unittest
 from typing import Any, Optional
+from urllib.parse import urlencode
 
 import contract
 from service import Answer, Service
 
+GLB = {"Content-Type": "model/gltf-binary"}
 PROBLEM_TYPE = "urn:tuftwave:problem:"
 
 
@@ -38,6 +40,32 @@ class ServiceTest(unittest.TestCase):
 
     def tearDown(self) -> None:
         self.assertTrue(self.service.is_running, "the server has ended")
+
+
+class CharacterTest(ServiceTest):
+    def chains(self, glb: bytes) -> Any:
+        answer = self.service.request("POST", "/v1/characters/chains", glb, GLB)
+        self.assert_ok(answer, "application/json")
+        self.assertEqual(contract.faults(answer.json(), contract.named("CharacterChainsAnswer")), [])
+        return answer.json()
+
+    def motion(self, glb: bytes, **query: Any) -> Answer:
+        return self.service.request("POST", "/v1/characters/motion?" + urlencode(query), glb, GLB)
+
+    def clip(self, glb: bytes, **query: Any) -> bytes:
+        answer = self.motion(glb, **query)
+        self.assert_ok(answer, "model/gltf-binary")
+        return answer.body
+
+    def poses(self, glb: bytes, **query: Any) -> Any:
+        answer = self.motion(glb, format="json", **query)
+        self.assert_ok(answer, "application/json")
+        self.assertEqual(contract.faults(answer.json(), contract.named("CharacterMotionAnswer")), [])
+        return answer.json()
+
+    def assert_same(self, one: Any, other: Any) -> None:
+        """Two documents alike, the order of their keys, the kinds of their numbers and their signs of zero included."""
+        self.assertEqual(json.dumps(one).split(", "), json.dumps(other).split(", "))
 
 
 def glb_parts(glb: bytes) -> tuple[Any, bytes]:
