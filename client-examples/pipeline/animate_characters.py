@@ -4,7 +4,7 @@
     python3 client-examples/pipeline/animate_characters.py inbox --watch --out moving --wind 1,0,-0.5 --period 0.8
 
 The first command is a batch; the second stays and takes every file that arrives in a folder, once it has stopped growing.
-NAME.vrm and NAME.glb become NAME.hair.glb; --sheet, --csv and --poses add NAME.hair.xdts, .csv and .json. The answer is never
+NAME.vrm and NAME.glb become NAME.hair.glb; --sheet, --csv, --poses, --vmd, --bvh and --usda add files of that name. The answer is never
 called .vrm: programs that play a VRM run neither its clips nor anything over its spring bones. Play it as a GLB.
 
 Files are written whole or not at all, an input is never written over, and an output that would not change is not touched:
@@ -34,6 +34,9 @@ SIDE_FILES = [  # option, ending, media type, help
     ("sheet", ".hair.xdts", "application/x-xdts+json", "also write the exposure sheet, .hair.xdts"),
     ("csv", ".hair.csv", "text/csv", "also write the exposure sheet, .hair.csv"),
     ("poses", ".hair.json", "application/json", "also write the poses, .hair.json"),
+    ("vmd", ".hair.vmd", "application/octet-stream", "also write a MikuMikuDance motion, .hair.vmd"),
+    ("bvh", ".hair.bvh", "application/x-bvh", "also write a BVH motion, .hair.bvh"),
+    ("usda", ".hair.usda", "model/vnd.usda", "also write a USD skeleton, .hair.usda"),
 ]
 SETTINGS = [  # query parameters of POST /v1/characters/motion; the service knows their defaults and checks them
     ("chains", "names or numbers of the chains to move, with * and ?, by commas"),
@@ -60,8 +63,15 @@ SETTINGS = [  # query parameters of POST /v1/characters/motion; the service know
     ("spread", "share of a cycle that chains are scattered over (0)"),
     ("seed", "for the scatter (0)"),
     ("cycles", "waves per loop (1)"),
+    ("phases", "radians that each moved chain runs ahead, by commas"),
     ("formulas", "corrected or as_printed (corrected)"),
+    ("interpolation", "of the clip: step, held or per_frame (step)"),
+    ("repeat", "cycles in a sheet or a VMD (1)"),
 ]
+ONLY_FOR = {  # settings that other answers refuse
+    "interpolation": ("model/gltf-binary",),
+    "repeat": ("application/x-xdts+json", "text/csv", "application/octet-stream"),
+}
 
 Signature = tuple[int, int, int]  # size, time of the last change, inode
 
@@ -160,7 +170,8 @@ class Animator:
         return None if owner == source else f"{shown(job.target)} is already made of {shown(owner)}"
 
     def ask(self, body: bytes, media_type: str) -> Answer:
-        settings = {name: getattr(self.options, name) for name, _ in SETTINGS if getattr(self.options, name) is not None}
+        settings = {name: getattr(self.options, name) for name, _ in SETTINGS
+                    if getattr(self.options, name) is not None and media_type in ONLY_FOR.get(name, (media_type,))}
         path = "/v1/characters/motion" + ("?" + urllib.parse.urlencode(settings) if settings else "")
         return post(self.options.server, path, body, media_type, self.patience, "model/gltf-binary")
 

@@ -104,6 +104,14 @@ def check_found(name, chains, character):
     check(f"{name}: chains", sorted(chain.bones for chain in chains) == expected, f"{sorted(chain.bones for chain in chains)} instead of {expected}")
 
 
+def check_turns_of(name, answer):
+    """An older service states local rotations only; they must lead to the turns that this one states."""
+    poses = [pose for picture in answer["pictures"] for pose in picture["chains"]]
+    apart = max(a.rotation_difference(b).angle for pose in poses
+                for a, b in zip(hair.turns_of({"rotations": pose["rotations"]}), hair.turns_of(pose)))
+    check(f"{name}: turns are local rotations added up", apart < 1e-5, f"{apart} rad apart")
+
+
 def check_made_files():
     """What the add-on wrote as a script, see TIMINGS of check_blender.py."""
     timings = [(0, {"period": 0.45}, 24), (7, {"period": 0.8, "hold": 3}, 30), (0, {"period": 0.58}, "24000/1001")]
@@ -117,6 +125,7 @@ def check_made_files():
             settings = {key: default for key, default, _, _ in hair.SETTINGS}
             answer = hair.ask(URL, hair.request_body(armature, chains, {**settings, **timing, "spread": 0.4}, (1, 0, 0), fps))
             schedule = answer["schedule"]
+            check_turns_of(name, answer)
             worst = check_frames(name, armature, chains, answer, start)
             check_keys(name, armature, {bone for chain in chains for bone in chain.bones}, frames_of(schedule, start))
             check(f"{name}: range", (scene.frame_start, scene.frame_end) == (start, start + schedule["frames"] - 1))
@@ -278,6 +287,8 @@ def check_thread(armature):
 def check_turns():
     """A service that states turns is believed; local rotations that lie beside them are not added up."""
     turned = {"turns": [[0, 0, 1, 0]], "rotations": [[1, 0, 0, 0]]}
+    added = hair.turns_of({"rotations": [[0, 0, 0.5 ** 0.5, 0.5 ** 0.5]] * 2})[1]
+    check("rotations are added up", added.rotation_difference(Quaternion((0, 0, -1, 0))).angle < 1e-6, added)
     check("turns are used", hair.turns_of(turned)[0].rotation_difference(Quaternion((0, 0, -1, 0))).angle < 1e-6, hair.turns_of(turned))
 
 

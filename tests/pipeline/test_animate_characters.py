@@ -130,6 +130,7 @@ class Batch(AnimateTest):
         path = self.put("a.glb")
         everything = {name: f"{name} ä&=,*" for name, _ in animate.SETTINGS if name != "clip"}
         self.assertEqual(self.animate(path, *(f"--{name.replace('_', '-')}={value}" for name, value in everything.items()))[0], 0)
+        del everything["repeat"]  # a GLB has one cycle
         self.assertEqual(self.animate(path, "--wind=-1,0,0.5")[0], 0)
         asked = [parse_qs(urlsplit(path).query, strict_parsing=True) for path, _, _ in self.stub.seen]
         self.assertEqual(asked, [{name: [value] for name, value in everything.items()}, {"wind": ["-1,0,0.5"]}])
@@ -138,13 +139,21 @@ class Batch(AnimateTest):
         contract = (ROOT / "api" / "openapi.yaml").read_text(encoding="utf-8")
         operation = contract[contract.index("operationId: characterMotion"):contract.index("operationId: getSchedule")]
         names = set(re.findall(r"- \{ name: (\w+), in: query", operation)) - {"format"}
-        self.assertEqual({name for name, _ in animate.SETTINGS}, names)
+        shared = {"repeat", "interpolation"}
+        self.assertTrue(all(f"name: {name}\n" in contract for name in shared))
+        self.assertEqual({name for name, _ in animate.SETTINGS}, names | shared)
 
     def test_side_files_have_the_same_name(self) -> None:
         self.put("a.vrm")
-        self.assertEqual(self.animate("--sheet", "--csv", "--poses")[0], 0)
-        self.assertEqual(self.outputs(), ["a.hair.csv", "a.hair.glb", "a.hair.json", "a.hair.xdts"])
+        self.assertEqual(self.animate("--sheet", "--csv", "--poses", "--vmd", "--bvh", "--usda")[0], 0)
+        self.assertEqual(self.outputs(), ["a.hair." + e for e in ("bvh", "csv", "glb", "json", "usda", "vmd", "xdts")])
         self.assertEqual((self.out / "a.hair.xdts").read_text(), "application/x-xdts+json")
+
+    def test_settings_go_where_they_are_taken(self) -> None:
+        self.put("a.glb")
+        self.assertEqual(self.animate("--sheet", "--poses", "--interpolation", "held", "--repeat", "3")[0], 0)
+        asked = [(urlsplit(path).query, accept) for path, accept, _ in self.stub.seen]
+        self.assertEqual(asked, [("interpolation=held", "model/gltf-binary"), ("repeat=3", "application/x-xdts+json"), ("", "application/json")])
 
     def test_folders_in_the_folder_are_taken_on_request_and_keep_their_place(self) -> None:
         for name in ("a.glb", "b/a.glb", "b/c/a.vrm", ".git/a.glb"):
@@ -368,6 +377,13 @@ class RealServer(unittest.TestCase):
                 moved = animate.chains_moved((out / (os.path.splitext(name)[0] + ".hair.glb")).read_bytes(), "wave")
                 self.assertEqual(moved, len(poses["chains"]), name)
             self.assertEqual(len(list(out.glob("*.xdts"))), len(names))
+
+    def test_the_service_takes_every_kind_of_answer_and_its_settings(self) -> None:
+        with Service(SERVER) as service, tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            arguments = [str(CHARACTERS / "pmca_sample3.glb"), "--out", folder, "--server", service.url, "--interpolation", "held", "--repeat", "3"]
+            self.assertEqual(animate.main([*arguments, *(f"--{option}" for option, _, _, _ in animate.SIDE_FILES)]), 0)
+            self.assertEqual(len(os.listdir(folder)), 1 + len(animate.SIDE_FILES))
+            self.assertEqual(len(Path(folder, "pmca_sample3.hair.csv").read_text().split()), 1 + 3 * 11)
 
     def test_the_services_own_problems_name_the_setting(self) -> None:
         with Service(SERVER) as service, tempfile.TemporaryDirectory() as folder:
