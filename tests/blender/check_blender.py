@@ -2,7 +2,8 @@
 
     python3 tests/blender/check_blender.py --server build/release/server/tuftwave-server [--blender /usr/bin/blender] [--out build/blender]
 
-Needs Debian's blender and python3-numpy (`script/setup blender`). Exit code 0 or 1; 77 where there is no Blender.
+Needs Debian's blender and python3-numpy (`script/setup blender`). Exit code 0 or 1; 77 where one of
+them is not there.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from typing import Optional
 
 sys.dont_write_bytecode = True
@@ -80,8 +82,24 @@ def check_script(blender: Blender, url: str, folder: str) -> None:
         blender.check(name, code == expected and text in said, f"exit code {code}: {said}")
 
 
+def check_manifest(blender: Blender) -> None:
+    """What Blender 4.2 and later ask of an extension's manifest, as far as it can be told without them."""
+    folder = os.path.dirname(ADDON)
+    with open(os.path.join(folder, "blender_manifest.toml"), "rb") as file:
+        manifest = tomllib.load(file)
+    with open(ADDON, encoding="utf-8") as file:
+        version = re.search(r'"version": \((\d+), (\d+), (\d+)\)', file.read())
+    blender.check("manifest: version", version is not None and manifest["version"] == ".".join(version.groups()), manifest["version"])
+    for text in (manifest["tagline"], manifest["permissions"]["network"]):
+        blender.check(f"manifest: {text}", len(text) <= 64 and text[-1].isalnum(), "longer than 64 characters, or ends with a mark")
+    missing = [name for name in manifest["build"]["paths"] if not os.path.isfile(os.path.join(folder, name))]
+    blender.check("manifest: files", not missing, f"{missing}")
+
+
 def check(server: str, program: str, folder: str) -> int:
     blender = Blender(program, folder)
+    check_manifest(blender)
+    shutil.copytree(os.path.dirname(ADDON), os.path.join(folder, "scripts", "addons", "tuftwave_folder"), dirs_exist_ok=True)
     with Service(server) as service:
         check_script(blender, service.url, folder)
         code, said = blender.run(os.path.join(HERE, "play.py"), service.url, ADDON, folder, CHARACTERS)
@@ -102,6 +120,11 @@ def main(arguments: Optional[list[str]] = None) -> int:
     if not options.blender:
         print("check_blender: skipped, there is no Blender; `script/setup blender` installs it")
         return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        finds_numpy = [options.blender, "--background", "--factory-startup", "--python-exit-code", "3", "--python-expr", "import numpy"]
+        if subprocess.run(finds_numpy, env=environment(folder), capture_output=True, check=False).returncode:
+            print("check_blender: skipped, Blender finds no numpy, which its importer needs; `script/setup blender` installs it")
+            return SKIPPED
     if not options.server or not os.access(options.server, os.X_OK):
         print(f"check_blender: {options.server!r} is no program; build the server and name it with --server", file=sys.stderr)
         return 1

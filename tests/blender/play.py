@@ -318,6 +318,14 @@ def check_later_blenders():
         check(f"{address} is this machine: {is_here}", hair.is_this_machine(address) == is_here)
 
 
+def check_folder():
+    """The folder, as an extension loads it: its settings are kept under the folder's own name."""
+    bpy.ops.preferences.addon_enable(module="tuftwave_folder")
+    addon = bpy.context.preferences.addons.get("tuftwave_folder")
+    check("the folder is an add-on", addon is not None and addon.preferences.server.startswith("http"), addon)
+    bpy.ops.preferences.addon_disable(module="tuftwave_folder")
+
+
 def check_rates():
     scene = bpy.context.scene
     for rate, expected in (("24", 24), ("24000/1001", "24000/1001"), ("30000/1001", "30000/1001"), ("12.5", 12.5), ("60", 60)):
@@ -332,6 +340,7 @@ def main():
     check_made_files()
     check_clips()
     check_operator()
+    check_folder()
     print(f"{counts['passed']} passed, {counts['failed']} failed", flush=True)
     return 1 if counts["failed"] or not counts["passed"] else 0
 
