@@ -42,7 +42,7 @@ SETTINGS = [  # query parameters of POST /v1/characters/motion; the service know
     ("chains", "names or numbers of the chains to move, with * and ?, by commas"),
     ("kinds", "kinds of chains to move: hair, skirt, ribbon, unknown, by commas (hair)"),
     ("springs", "what becomes of the springs of moved chains: keep or remove (keep)"),
-    ("clip", "name of the new animation (wave)"),
+    ("clip_name", "of the new animation (wave)"),
     ("wind", "where the wind blows to, three numbers in the file's axes (1,0,0); with a minus first: --wind=-1,0,0"),
     ("up", "three numbers (0,1,0)"),
     ("period", "of the wave, seconds (0.45)"),
@@ -182,7 +182,7 @@ class Animator:
         with open(job.source, "rb") as file:
             body = file.read()
         glb = self.ask(body, "model/gltf-binary")
-        chains = chains_moved(glb.data, self.options.clip or "wave")
+        chains = chains_moved(glb.data, self.options.clip_name or "wave")
         outputs = [(job.target, glb)]
         stem = job.target[:-len(OURS)]
         for option, ending, media_type, _ in SIDE_FILES:

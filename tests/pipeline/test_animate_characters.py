@@ -128,7 +128,7 @@ class Batch(AnimateTest):
 
     def test_settings_become_the_query_and_nothing_else_is_sent(self) -> None:
         path = self.put("a.glb")
-        everything = {name: f"{name} ä&=,*" for name, _ in animate.SETTINGS if name != "clip"}
+        everything = {name: f"{name} ä&=,*" for name, _ in animate.SETTINGS if name != "clip_name"}
         self.assertEqual(self.animate(path, *(f"--{name.replace('_', '-')}={value}" for name, value in everything.items()))[0], 0)
         del everything["repeat"]  # a GLB has one cycle
         self.assertEqual(self.animate(path, "--wind=-1,0,0.5")[0], 0)
