@@ -65,7 +65,7 @@ std::variant<CharacterSettings, Problem> read_character_settings(const Request& 
     fields.choice("springs", kSpringChoices, read.springs);
     fields.text("clip_name", kLongestClipName, read.clip_name);
     if (problems.empty()) return read;
-    return as_query_problem(fields_problem(problems.take()), kQueryFields);
+    return as_query_problem(fields_problem(problems.take()), kQueryFields, request);
 }
 
 }  // namespace tuftwave::server

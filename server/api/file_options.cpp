@@ -33,7 +33,7 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
     fields.choice("interpolation", kHoldings, read.holding);
     fields.choice("clip", kClipKinds, read.kind);
     fields.done();
-    if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields);
+    if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields, request);
     if (read.repeat != 1 && !repeats(format))
         return no_use("?repeat", std::to_string(read.repeat), "1; only xdts, csv and vmd write several cycles");
     if (read.holding != gltf::Holding::kStep && !has_clip(format))

@@ -38,6 +38,34 @@ const QueryField* row_of(std::string_view name, std::span<const QueryField> fiel
     return nullptr;
 }
 
+void rename_pointers(std::vector<FieldProblem>& problems, std::span<const QueryField> fields) {
+    for (FieldProblem& wrong : problems) {
+        for (const QueryField& field : fields) {
+            if (wrong.pointer != field.place && !wrong.pointer.starts_with(std::string(field.place) + "/")) continue;
+            wrong.pointer = "?" + std::string(field.name);
+            break;
+        }
+    }
+}
+
+/// Gives what was of a wrong type as it stands in the query.
+void quote(std::vector<FieldProblem>& problems, const Request& request) {
+    constexpr std::size_t kLongest = 64;  // bytes
+    for (FieldProblem& wrong : problems) {
+        for (const auto& [name, value] : request.query) {
+            if (wrong.code == ProblemCode::kWrongType && wrong.pointer == "?" + name)
+                wrong.value = value.substr(0, kLongest);
+        }
+    }
+}
+
+/// The problem with a sentence about what its fields say now.
+Problem described(Problem problem) {
+    Problem anew = fields_problem(std::move(problem.fields));
+    anew.headers = std::move(problem.headers);
+    return anew;
+}
+
 }  // namespace
 
 std::vector<std::string_view> names_of(std::span<const QueryField> fields) {
@@ -60,20 +88,15 @@ nlohmann::json query_body(const Request& request, std::span<const QueryField> fi
 
 Problem as_query_problem(Problem problem, std::span<const QueryField> fields) {
     if (problem.fields.empty()) return problem;
-    for (FieldProblem& wrong : problem.fields) {
-        for (const QueryField& field : fields) {
-            const bool is_here =
-                wrong.pointer == field.place || wrong.pointer.starts_with(std::string(field.place) + "/");
-            if (is_here) {
-                wrong.pointer = "?" + std::string(field.name);
-                break;
-            }
-        }
-    }
-    NameValues headers = std::move(problem.headers);
-    problem = fields_problem(std::move(problem.fields));
-    problem.headers = std::move(headers);
-    return problem;
+    rename_pointers(problem.fields, fields);
+    return described(std::move(problem));
+}
+
+Problem as_query_problem(Problem problem, std::span<const QueryField> fields, const Request& request) {
+    if (problem.fields.empty()) return problem;
+    rename_pointers(problem.fields, fields);
+    quote(problem.fields, request);
+    return described(std::move(problem));
 }
 
 }  // namespace tuftwave::server

@@ -31,4 +31,7 @@ nlohmann::json query_body(const Request& request, std::span<const QueryField> fi
 /// A problem found in such a body, with the query's names: "/timing/period" is "?period" again.
 Problem as_query_problem(Problem problem, std::span<const QueryField> fields);
 
+/// The same, and what was of a wrong type is quoted as it stands in the query.
+Problem as_query_problem(Problem problem, std::span<const QueryField> fields, const Request& request);
+
 }  // namespace tuftwave::server

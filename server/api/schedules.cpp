@@ -106,7 +106,8 @@ Answer get_schedules(const Request& request, const Context& context) {
     auto format = choose_format(request, {Format::kJson, Format::kXdts, Format::kCsv});
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
     Answer made = answer(query_body(request, kQueryFields), std::get<Format>(format), context.limits);
-    if (auto* problem = std::get_if<Problem>(&made)) return as_query_problem(std::move(*problem), kQueryFields);
+    if (auto* problem = std::get_if<Problem>(&made))
+        return as_query_problem(std::move(*problem), kQueryFields, request);
     return cacheable(std::get<Response>(std::move(made)), request.header("if-none-match"));
 }
 

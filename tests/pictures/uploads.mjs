@@ -6,6 +6,6 @@ const kWind = { wind: "0.8,0,-0.6", period: "0.5", fps: "24", hold: "2", gust_wa
 
 /** By name: the file, and the query of /v1/characters/motion. */
 export const kUploads = {
-  godette: { file: `${kData}godette.vrm1.vrm`, query: { ...kWind, amplitude: "1.1" } },
-  pmca: { file: `${kData}pmca_sample3.glb`, query: { ...kWind, amplitude: "0.7", kinds: "hair,ribbon,skirt" } },
+  godette: { file: `${kData}godette.vrm1.vrm`, query: { ...kWind, amplitude: "0.5" } },
+  pmca: { file: `${kData}pmca_sample3.glb`, query: { ...kWind, amplitude: "0.7", kinds: "hair,ribbon" } },
 };
