@@ -17,6 +17,7 @@ constexpr double kAlike = 1e-3;         // scales that differ by less are one
 void check_version(const FileValue& asset) {
     if (!asset.exists()) return asset.refuse(Fault::Kind::kMissing, "an object");
     const FileValue version = asset["version"], least = asset["minVersion"];
+    if (!version.exists()) return version.refuse(Fault::Kind::kMissing, "2.0");
     if (!version.text().starts_with("2.")) version.refuse(Fault::Kind::kUnsupported, "2.0");
     if (least.exists() && least.text() != "2.0") least.refuse(Fault::Kind::kUnsupported, "2.0");
 }

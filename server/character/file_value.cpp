@@ -23,22 +23,18 @@ std::variant<std::monostate, double, std::string> shown(const FileJson& json) {
 FileValue::FileValue(const FileJson* json, std::string pointer, std::optional<Fault>& fault)
     : json_(json), pointer_(std::move(pointer)), fault_(&fault) {}
 
-FileValue FileValue::child(const FileJson& json, std::string_view key) const {
-    return {&json, pointer_ + "/" + escaped(key), *fault_};
+FileValue FileValue::child(const FileJson* json, std::string_view key) const {
+    return {json, pointer_ + "/" + escaped(key), *fault_};
 }
 
 FileValue FileValue::operator[](std::string_view name) const {
-    const FileValue absent(nullptr, "", *fault_);
-    if (!exists()) return absent;
-    if (!json_->is_object()) {
-        refuse(Fault::Kind::kWrongType, "an object");
-        return absent;
-    }
+    if (exists() && !json_->is_object()) refuse(Fault::Kind::kWrongType, "an object");
+    if (!exists() || !json_->is_object()) return child(nullptr, name);
     const auto found = json_->find(std::string(name));
-    return found == json_->end() ? absent : child(*found, name);
+    return child(found == json_->end() ? nullptr : &*found, name);
 }
 
-FileValue FileValue::at(std::size_t index) const { return child((*json_)[index], std::to_string(index)); }
+FileValue FileValue::at(std::size_t index) const { return child(&(*json_)[index], std::to_string(index)); }
 
 std::size_t FileValue::size() const {
     if (!exists()) return 0;

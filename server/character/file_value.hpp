@@ -45,7 +45,7 @@ class FileValue {
 
   private:
     void refuse_number(double given, Range range) const;
-    FileValue child(const FileJson& json, std::string_view key) const;
+    FileValue child(const FileJson* json, std::string_view key) const;
 
     const FileJson* json_;
     std::string pointer_;

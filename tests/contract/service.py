@@ -60,7 +60,8 @@ class Service:
             self._process.wait()
             raise RuntimeError(f"{self._command[0]} did not say that it is ready, but {line!r}")
         # What comes after the first line is read and dropped, so that the server never waits for us.
-        threading.Thread(target=self._process.stdout.read, daemon=True).start()
+        self._drain = threading.Thread(target=self._process.stdout.read, daemon=True)
+        self._drain.start()
         self.host, self.port, self.admin_port = match[1], int(match[2]), int(match[4])
         return self
 
@@ -71,10 +72,16 @@ class Service:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+        self._drain.join()
+        self._process.stdout.close()
 
     @property
     def is_running(self) -> bool:
         return self._process.poll() is None
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
 
     @property
     def url(self) -> str:
