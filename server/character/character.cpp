@@ -78,6 +78,11 @@ void read_nodes(const FileValue& nodes, Character& character) {
     }
 }
 
+/// Scales multiply from parent to child, so that each may be within its range and the place beyond all numbers.
+bool is_in_sight(const Vec3& place) {
+    return is_within(place.x, kCoordinate) && is_within(place.y, kCoordinate) && is_within(place.z, kCoordinate);
+}
+
 /// Orders nodes parents first and places them in model space. Whoever is not reached hangs in a circle.
 void place_nodes(const FileValue& nodes, Character& character) {
     for (std::size_t i = 0; i < character.nodes.size(); ++i) {
@@ -93,6 +98,9 @@ void place_nodes(const FileValue& nodes, Character& character) {
             node.model = parent.model * node.model;
             node.turn = parent.turn * node.local.rotation;
         }
+        if (!is_in_sight(node.model.origin))
+            return nodes.at(static_cast<std::size_t>(character.order[next]))
+                .refuse(Fault::Kind::kOutOfRange, "a place within 1000000 metres on each axis, with all that is above");
         for (const int child : node.children) character.order.push_back(child);
     }
     if (character.order.size() == character.nodes.size()) return;
