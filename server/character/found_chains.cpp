@@ -140,10 +140,17 @@ class Finder {
         return last.reach > kTipShare * bone;
     }
 
+    double length_of(const FoundChain& chain) const {
+        double whole = length(chain.tip - place(chain.bones.back()));
+        for (std::size_t i = 1; i < chain.bones.size(); ++i)
+            whole += length(place(chain.bones[i]) - place(chain.bones[i - 1]));
+        return whole;
+    }
+
     /// Why core cannot move a chain, "" if it can.
     std::string_view fault_of(const FoundChain& chain) const {
         if (chain.bones.size() + 1 > most_nodes_) return "too_long";
-        if (length(chain.tip - place(chain.bones.front())) < kShortest && chain.bones.size() == 1) return "no_length";
+        if (length_of(chain) < kShortest) return "no_length";
         const auto is_sheared = [&](int bone) { return !node(bone).is_rigid; };
         return std::any_of(chain.bones.begin(), chain.bones.end(), is_sheared) ? "sheared" : "";
     }

@@ -16,7 +16,9 @@ Nodes moved_nodes(const std::vector<FoundChain>& moved) {
 
 /// Whether a spring of VRM 1.0 turns one of the nodes; its last joint does not turn.
 bool overwrites(const Spring& spring, const Nodes& moved) {
-    return std::any_of(spring.joints.begin(), spring.joints.end(), [&](int joint) { return moved.contains(joint); });
+    if (spring.joints.empty()) return false;
+    return std::any_of(spring.joints.begin(), spring.joints.end() - 1,
+                       [&](int joint) { return moved.contains(joint); });
 }
 
 /// Whether everything below a root of VRM 0.x has one of the nodes in it.
