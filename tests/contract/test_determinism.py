@@ -6,6 +6,7 @@ import hashlib
 from typing import Any
 
 import contract
+from glb_files import CHARACTERS, character
 from rows import tetrahedron
 from service import Service
 from support import ServiceTest, glb_parts
@@ -72,6 +73,23 @@ class Determinism(ServiceTest):
                     self.assertEqual(answer.status, 200, answer.body[:300])
                     hashes.setdefault(path, {})[workers] = hashlib.sha256(answer.body).hexdigest()
         self.assertEqual(len(hashes), len(bodies) * len(FORMATS + CLIPS) + 3 * len(fills) + len(FORMATS) + 2)
+        for what, by_workers in hashes.items():
+            with self.subTest(what):
+                self.assertEqual(len(set(by_workers.values())), 1, by_workers)
+
+    def test_the_number_of_workers_changes_no_byte_of_a_character(self) -> None:
+        glb = {"Content-Type": "model/gltf-binary"}
+        ways = ["chains", "motion?springs=remove&spread=0.3&seed=7&gust_wavelength=0.37"]
+        ways += [f"motion?format={word}&spread=0.3&seed=7" for word in ("json", "xdts", "csv")]
+        hashes: dict[str, dict[int, str]] = {}
+        for workers in WORKERS:
+            with Service(self.program, "--workers", str(workers)) as service:
+                for name in CHARACTERS:
+                    for way in ways:
+                        answer = service.request("POST", f"/v1/characters/{way}", character(name), glb)
+                        self.assertEqual(answer.status, 200, answer.body[:300])
+                        hashes.setdefault(f"{name} {way}", {})[workers] = hashlib.sha256(answer.body).hexdigest()
+        self.assertEqual(len(hashes), len(CHARACTERS) * len(ways))
         for what, by_workers in hashes.items():
             with self.subTest(what):
                 self.assertEqual(len(set(by_workers.values())), 1, by_workers)
