@@ -20,7 +20,8 @@ std::optional<Problem> check_media_type(const Request& request, std::initializer
 /// @return  the document, unsupported_media_type, or what parse_guarded says
 std::variant<nlohmann::json, Problem> read_body(const Request& request);
 
-/// Refuses query parameters that nobody asked for or that come twice. @return  nothing, unknown_field or duplicate_key
+/// Refuses query parameters that nobody asked for, that come twice or that are not UTF-8.
+/// @return  nothing, unknown_field, duplicate_key or wrong_type
 std::optional<Problem> check_query(const Request& request, const std::vector<std::string_view>& known);
 
 }  // namespace tuftwave::server

@@ -6,14 +6,15 @@ import base64
 import json
 import os
 import random
+import re
 import socket
 import struct
 from typing import Any, Iterator
 
 import contract
-from glb_files import BINARY_CHUNK, JSON_CHUNK, character, chunk, small_character, to_glb
+from glb_files import small_character, to_glb
 from service import Answer, Service
-from support import GLB, CharacterTest, ServiceTest, glb_parts
+from support import GLB, PROBLEM_TYPE, CharacterTest, glb_parts
 
 ROUTES = ("/v1/characters/chains", "/v1/characters/motion?kinds=hair,skirt,ribbon,unknown&springs=remove")
 VALIDATOR = os.path.join(contract.ROOT, "tests", "data", "gltf-validator")
@@ -97,8 +98,7 @@ class UploadTest(CharacterTest):
         for route in ROUTES:
             answer = self.send(route, body)
             self.assert_problem(answer, status, slug, pointer)
-            if pointer is None:
-                self.assertNotIn("errors", answer.json())
+            self.assertEqual(pointer is None, "errors" not in answer.json())
 
 
 class Containers(UploadTest):
@@ -116,8 +116,7 @@ class Containers(UploadTest):
 
     def test_what_is_no_glb(self) -> None:
         document, binary = small_character()
-        text = json.dumps(document).encode()
-        for name, body in (("nothing", b""), ("JSON", text), ("glTF", json.dumps(document, indent=1).encode()), ("zeros", bytes(100)), ("a PNG", b"\x89PNG\r\n\x1a\n" + bytes(99)),
+        for name, body in (("nothing", b""), ("glTF", json.dumps(document).encode()), ("indented glTF", json.dumps(document, indent=1).encode()), ("zeros", bytes(100)), ("a PNG", b"\x89PNG\r\n\x1a\n" + bytes(99)),
                            ("more than it says", to_glb(document, binary) + b"\0\0\0\0")):
             with self.subTest(name):
                 self.assert_refused(body, 400, "malformed")
@@ -165,16 +164,12 @@ class Contents(UploadTest):
         def nested(levels: int) -> Any:
             return [nested(levels - 1)] if levels > 1 else []
         keys = {f"k{i}": 0 for i in range(256)}
-        for extras, status, slug, pointer in (
-                (nested(63), 200, "", None), (nested(64), 400, "too_deep", None), (keys, 200, "", None), ({**keys, "one": 1}, 413, "too_many_values", None),
-                ([0] * 1999000, 200, "", None), ([0] * 2000000, 413, "too_many_values", None)):
+        for extras, status, slug in ((nested(63), 200, ""), (nested(64), 400, "too_deep"), (keys, 200, ""), ({**keys, "one": 1}, 413, "too_many_values"),
+                                     ([0] * 1999000, 200, ""), ([0] * 2000000, 413, "too_many_values")):
             body = to_glb(*small_character(extras=extras))
             for route in ROUTES:
                 answer = self.send(route, body)
-                if status == 200:
-                    self.assertEqual(answer.status, 200)
-                else:
-                    self.assert_problem(answer, status, slug, pointer)
+                self.assertEqual((answer.status, slug and answer.json()["type"]), (status, slug and PROBLEM_TYPE + slug))
         for text, slug in ((b'"a":1,"a":2', "duplicate_key"), (b'"a":1,"\\u0061":2', "duplicate_key"), (b'"\\ud800":1', "malformed"), (b'"\\x":1', "malformed"),
                            (b'"a":1e999', "malformed"), (b'"a":"\xff"', "malformed")):
             self.assert_refused(to_glb(b'{"asset":{"version":"2.0"},"extras":{' + text + b"}}"), 400, slug)
@@ -273,8 +268,7 @@ class Sizes(UploadTest):
     def test_the_largest_file(self) -> None:
         limits = self.service.get("/v1/limits").json()
         document = {"asset": {"version": "2.0"}}
-        head = len(to_glb(document)) + 8
-        glb = to_glb(document, bytes(limits["upload_bytes"] - head))
+        glb = to_glb(document, bytes(limits["upload_bytes"] - len(to_glb(document)) - 8))
         self.assertEqual(len(glb), limits["upload_bytes"])
         self.assertEqual(self.send(ROUTES[0], glb).status, 200)
         text = json.dumps(document).encode()
@@ -282,9 +276,8 @@ class Sizes(UploadTest):
 
     def test_memory_is_bounded_by_the_size(self) -> None:
         with open(self.program, "rb") as program:
-            code = program.read()
-        if b"__asan_init" in code or b"__tsan_init" in code:
-            self.skipTest("a sanitizer needs memory of its own")
+            if re.search(rb"__[at]san_init", program.read()):
+                self.skipTest("a sanitizer needs memory of its own")
         nodes, two_mb = 65536, 2000000
         joints = ",".join(map(str, range(nodes)))
         pairs = ",".join('{"children":[%d]},{"translation":[0,1,0]}' % (i + 1) for i in range(0, nodes, 2))
