@@ -43,6 +43,15 @@ TEST(JsonGuard, NestsThirtyTwoDeepAndNoDeeper) {
     EXPECT_EQ(outcome("[\"" + std::string(100, '[') + "\"]"), "parsed");  // brackets in text are no nesting
 }
 
+TEST(JsonGuard, ReadsEscapedKeysWhereTheyAreAllowed) {
+    JsonLimits limits;
+    EXPECT_EQ(outcome(R"({"\u9aea":1})", limits), "malformed");
+    limits.has_escaped_keys = true;
+    EXPECT_EQ(outcome(R"({"\u9aea":1,"a\"b":2})", limits), "parsed");
+    EXPECT_EQ(outcome(R"({"\u0061":1,"a":2})", limits), "duplicate_key");
+    EXPECT_EQ(outcome(R"({"\ud800":1})", limits), "malformed");
+}
+
 TEST(JsonGuard, FindsDuplicateKeysInTheSameObjectOnly) {
     EXPECT_EQ(outcome(R"({"a":1,"a":2})"), "duplicate_key");
     EXPECT_EQ(outcome(R"({"b":[{"a":1},{"a":2}],"a":{"a":3}})"), "parsed");
