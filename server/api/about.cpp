@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "api/json_guard.hpp"
-#include "api/read_character.hpp"
 #include "api/reader.hpp"
 #include "api/schedules.hpp"
 #include "assets/assets.hpp"
+#include "character/file_limits.hpp"
 #include "version.hpp"
 
 namespace tuftwave::server {
@@ -77,6 +77,19 @@ Json ranges_json(const Limits& limits) {
             {"rest_length", to_json(limits.rest_length)}};
 }
 
+Json files_json() {
+    const character::FileLimits& limits = character::kFileLimits;
+    return {{"bytes", limits.bytes},
+            {"json_bytes", limits.json_bytes},
+            {"json_depth", limits.json_depth},
+            {"json_values", limits.json_values},
+            {"keys_per_object", limits.keys_per_object},
+            {"nodes", limits.nodes},
+            {"joints", limits.joints},
+            {"name_bytes", limits.name_bytes},
+            {"memory_factor", limits.memory_factor}};
+}
+
 constexpr std::string_view kSwaggerPage = R"(<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
@@ -124,13 +137,9 @@ constexpr std::array<File, 3> kFiles{{{"swagger-ui.css", "text/css; charset=utf-
 
 Answer get_limits(const Request&, const Context& context) {
     const JsonLimits json_limits;
-    const Json json{{"body_bytes", json_limits.bytes},
-                    {"upload_bytes", kUploadBytes},
-                    {"upload_memory_factor", kUploadMemoryFactor},
-                    {"json_depth", json_limits.depth},
-                    {"json_values", json_limits.values},
-                    {"counts", counts_json(context.limits)},
-                    {"ranges", ranges_json(context.limits)}};
+    const Json json{{"body_bytes", json_limits.bytes},       {"json_depth", json_limits.depth},
+                    {"json_values", json_limits.values},     {"files", files_json()},
+                    {"counts", counts_json(context.limits)}, {"ranges", ranges_json(context.limits)}};
     return Response{200, "application/json", json.dump(), {}};
 }
 

@@ -4,12 +4,14 @@
 
 #include "api/body.hpp"
 #include "api/json_guard.hpp"
+#include "character/file_limits.hpp"
 
 namespace tuftwave::server {
 namespace {
 
 /// What the JSON of a file may be. A face with many expressions nests deeper and has longer lists than what we ask for.
-constexpr JsonLimits kFileJson{16 * 1024 * 1024, 64, 2'000'000, 256, true};
+constexpr JsonLimits kFileJson{character::kFileLimits.json_bytes, character::kFileLimits.json_depth,
+                               character::kFileLimits.json_values, character::kFileLimits.keys_per_object, true};
 
 ProblemCode code_of(character::Fault::Kind kind) {
     using Kind = character::Fault::Kind;

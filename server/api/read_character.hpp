@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <variant>
 
 #include "api/exchange.hpp"
@@ -12,12 +11,6 @@
 #include "tuftwave/limits.hpp"
 
 namespace tuftwave::server {
-
-/// The largest file that may be posted. A VRM with large textures has 30 MiB; textures are carried, never decoded.
-inline constexpr std::size_t kUploadBytes = 64 * 1024 * 1024;
-
-/// What a file costs at most, in multiples of its size; a file that is nothing but empty nodes comes nearest.
-inline constexpr std::size_t kUploadMemoryFactor = 256;
 
 /// A character that somebody posted.
 struct Upload {

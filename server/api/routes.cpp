@@ -12,8 +12,8 @@
 #include "api/hair.hpp"
 #include "api/json_guard.hpp"
 #include "api/motions.hpp"
-#include "api/read_character.hpp"
 #include "api/schedules.hpp"
+#include "character/file_limits.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -50,7 +50,7 @@ std::span<const Route> routes() { return kRoutes; }
 
 std::size_t body_limit(const std::string& path) {
     const auto takes_file = [&](const Route& route) { return route.takes_file && matches(route.path, path); };
-    return std::ranges::any_of(kRoutes, takes_file) ? kUploadBytes : JsonLimits{}.bytes;
+    return std::ranges::any_of(kRoutes, takes_file) ? character::kFileLimits.bytes : JsonLimits{}.bytes;
 }
 
 std::string allowed_methods(const std::string& path) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "character/file_limits.hpp"
 #include "character/required_extensions.hpp"
 
 namespace tuftwave::server::character {
 namespace {
 
-constexpr std::size_t kMostNodes = 65'536;
 constexpr Range kCoordinate{-1e6, 1e6};  // metres
 constexpr Range kScale{-1e6, 1e6};
 constexpr Range kComponent{-1e3, 1e3};  // of a quaternion, before it is made a unit one
@@ -59,8 +59,8 @@ bool scales_alike(const Vec3& scale) {
 /// Reads nodes and says whose children they are; a second parent is refused where it claims the child.
 void read_nodes(const FileValue& nodes, Character& character) {
     const std::size_t count = nodes.size();
-    if (count > kMostNodes)
-        return nodes.refuse(Fault::Kind::kTooMany, "at most " + std::to_string(kMostNodes) + " nodes");
+    if (count > kFileLimits.nodes)
+        return nodes.refuse(Fault::Kind::kTooMany, "at most " + std::to_string(kFileLimits.nodes) + " nodes");
     character.nodes.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const FileValue value = nodes.at(i);
@@ -140,7 +140,9 @@ void read_skins(const FileValue& skins, std::size_t accessors, Character& charac
         Skin& skin = character.skins.emplace_back();
         const FileValue list = skins.at(i)["joints"];
         joints += list.size();
-        if (joints > 4 * kMostNodes) return list.refuse(Fault::Kind::kTooMany, "at most 262144 joints in all skins");
+        if (joints > kFileLimits.joints)
+            return list.refuse(Fault::Kind::kTooMany,
+                               "at most " + std::to_string(kFileLimits.joints) + " joints in all skins");
         skin.joints = list.indices(character.nodes.size());
         skin.inverse_bind_matrices = skins.at(i)["inverseBindMatrices"].index(accessors);
         for (const int joint : skin.joints) character.nodes[static_cast<std::size_t>(joint)].is_joint = true;

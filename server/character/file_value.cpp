@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "character/file_limits.hpp"
+
 namespace tuftwave::server::character {
 namespace {
 
@@ -61,10 +63,9 @@ std::string FileValue::text() const {
 }
 
 std::string FileValue::name() const {
-    constexpr std::size_t kLongest = 1024;  // bytes
     std::string name = text();
-    if (name.size() <= kLongest) return name;
-    refuse(Fault::Kind::kOutOfRange, "a name of at most " + std::to_string(kLongest) + " bytes");
+    if (name.size() <= kFileLimits.name_bytes) return name;
+    refuse(Fault::Kind::kOutOfRange, "a name of at most " + std::to_string(kFileLimits.name_bytes) + " bytes");
     return "";
 }
 

@@ -163,6 +163,8 @@ class Contents(UploadTest):
     def test_nesting_keys_and_names_have_limits(self) -> None:
         def nested(levels: int) -> Any:
             return [nested(levels - 1)] if levels > 1 else []
+        limits = self.service.get("/v1/limits").json()["files"]
+        self.assertEqual([limits[name] for name in ("json_depth", "keys_per_object", "json_values", "nodes", "name_bytes")], [64, 256, 2000000, 65536, 1024])
         keys = {f"k{i}": 0 for i in range(256)}
         for extras, status, slug in ((nested(63), 200, ""), (nested(64), 400, "too_deep"), (keys, 200, ""), ({**keys, "one": 1}, 413, "too_many_values"),
                                      ([0] * 1999000, 200, ""), ([0] * 2000000, 413, "too_many_values")):
@@ -258,18 +260,18 @@ class Sizes(UploadTest):
     def test_too_large_is_refused_before_it_is_sent(self) -> None:
         """At once where a client asks first, or it is far too large; a little more than allowed is read to its end."""
         limits, asking = self.service.get("/v1/limits").json(), "Expect: 100-continue\r\n"
-        for path, media_type, most in (*((route, "model/gltf-binary", limits["upload_bytes"]) for route in ROUTES),
+        for path, media_type, most in (*((route, "model/gltf-binary", limits["files"]["bytes"]) for route in ROUTES),
                                        ("/v1/schedules", "application/json", limits["body_bytes"]), ("/v1/nowhere", "model/gltf-binary", limits["body_bytes"])):
             self.assertIn(" 413 ", self.status_of(path, media_type, most + 1, asking))
             self.assertIn(" 100 ", self.status_of(path, media_type, most, asking))
             self.assertIn(" 413 ", self.status_of(path, media_type, 4 * most + 1))
-        self.assert_problem(self.send(ROUTES[0], bytes(limits["upload_bytes"] + 1)), 413, "too_large")
+        self.assert_problem(self.send(ROUTES[0], bytes(limits["files"]["bytes"] + 1)), 413, "too_large")
 
     def test_the_largest_file(self) -> None:
         limits = self.service.get("/v1/limits").json()
         document = {"asset": {"version": "2.0"}}
-        glb = to_glb(document, bytes(limits["upload_bytes"] - len(to_glb(document)) - 8))
-        self.assertEqual(len(glb), limits["upload_bytes"])
+        glb = to_glb(document, bytes(limits["files"]["bytes"] - len(to_glb(document)) - 8))
+        self.assertEqual(len(glb), limits["files"]["bytes"])
         self.assertEqual(self.send(ROUTES[0], glb).status, 200)
         text = json.dumps(document).encode()
         self.assert_refused(to_glb(text + b" " * (limits["body_bytes"] + 4 - len(text))), 413, "too_large")
@@ -287,7 +289,7 @@ class Sizes(UploadTest):
             "short texts": '"extras":[' + ",".join(['""'] * (two_mb // 3)) + "]", "keys": '"extras":[' + ",".join(['{"":0}'] * (two_mb // 7)) + "]",
             "springs": '"extensions":{"VRMC_springBone":{"springs":[' + ",".join(["{}"] * (two_mb // 3)) + "]}}",
             "one long name": f'"nodes":[{{"name":"Head{"x" * 1000}","children":[{",".join(map(str, range(1, 65535, 2)))}]}},{pairs[pairs.index("},") + 2:]}]'}
-        factor = self.service.get("/v1/limits").json()["upload_memory_factor"]
+        factor = self.service.get("/v1/limits").json()["files"]["memory_factor"]
         for name, text in bodies.items():
             with self.subTest(name), Service(self.program) as service:
                 body = to_glb(('{"asset":{"version":"2.0"},' + text + "}").encode())
