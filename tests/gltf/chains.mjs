@@ -11,6 +11,15 @@ export function chainNodes(json, lengths) {
   });
 }
 
+/** The objects that three.js made of the file's nodes. */
+export function objectsByNode(gltf) {
+  const objects = [];
+  for (const [object, place] of gltf.parser.associations) {
+    if (place?.nodes !== undefined && object.isObject3D) objects[place.nodes] = object;
+  }
+  return objects;
+}
+
 /** The model-space rest place and rotation of every node, from the file. @returns {Map<number, { position: number[], rotation: number[] }>} */
 export function restPoses(json) {
   const poses = new Map();

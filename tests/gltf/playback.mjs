@@ -10,22 +10,13 @@ import { join } from "node:path";
 import { AnimationMixer, InterpolateLinear, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-import { add, chainNodes, distance, inverse, lengthOf, product, restPoses, secondsOf, shownPictures, subtract, turned } from "./chains.mjs";
+import { add, chainNodes, distance, inverse, lengthOf, objectsByNode, product, restPoses, secondsOf, shownPictures, subtract, turned } from "./chains.mjs";
 import { Checks } from "./checks.mjs";
 import { readGlb } from "./glb.mjs";
 import { meshFault, nodeFault } from "./invariants.mjs";
 
 const MOST_COMPARISONS = 4e6; // joints times frames per file and way of playing; larger files play fewer loops, at least 3
 const TOLERANCE = 1e-5; // of the chain's length, 2.5 micrometres on a hair of 25 cm; in metres where it has none
-
-/** The objects that three.js made of the file's nodes. */
-function objectsByNode(gltf) {
-  const objects = [];
-  for (const [object, { nodes }] of gltf.parser.associations) {
-    if (nodes !== undefined && object.isObject3D) objects[nodes] = object;
-  }
-  return objects;
-}
 
 /** Counts joints that show another picture than they should. `seek(k)` brings the clip to frame k. */
 function countWrong(joints, shown, loops, seek, tolerance = 0) {

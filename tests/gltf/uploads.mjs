@@ -12,7 +12,7 @@ import validator from "gltf-validator";
 import { AnimationMixer, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-import { distance, lengthOf, secondsOf, shownPictures } from "./chains.mjs";
+import { distance, lengthOf, objectsByNode, secondsOf, shownPictures } from "./chains.mjs";
 import { Checks } from "./checks.mjs";
 import { readGlb } from "./glb.mjs";
 
@@ -44,14 +44,6 @@ function withoutImages({ json, bytes }) {
   file.set(padded, 20);
   file.set(rest, 20 + padded.length);
   return file.buffer;
-}
-
-function objectsByNode(gltf) {
-  const objects = [];
-  for (const [object, place] of gltf.parser.associations) {
-    if (place?.nodes !== undefined && object.isObject3D) objects[place.nodes] = object;
-  }
-  return objects;
 }
 
 /** The bones that turn, each with its rotations in all pictures as float32. */
