@@ -169,6 +169,14 @@ class Animator:
         owner = self.owners.setdefault(target, source)
         return None if owner == source else f"{shown(job.target)} is already made of {shown(owner)}"
 
+    def take(self, job: Job, place: str, inputs: set[str]) -> None:
+        """Animates a file unless its output's place is taken, which is reported. Raises what animate() does."""
+        taken = self.refuse_target(job, inputs)
+        if taken:
+            self.fail(job, place, taken)
+        else:
+            self.animate(job, place)
+
     def ask(self, body: bytes, media_type: str) -> Answer:
         settings = {name: getattr(self.options, name) for name, _ in SETTINGS
                     if getattr(self.options, name) is not None and media_type in ONLY_FOR.get(name, (media_type,))}
@@ -222,12 +230,8 @@ def batch(animator: Animator) -> int:
     inputs = {os.path.realpath(job.source) for job in jobs}
     for number, job in enumerate(jobs, 1):
         place = f"{number} of {len(jobs)}  "
-        taken = animator.refuse_target(job, inputs)
         try:
-            if taken:
-                animator.fail(job, place, taken)
-            else:
-                animator.animate(job, place)
+            animator.take(job, place, inputs)
         except (Refused, OSError, ValueError) as error:
             animator.fail(job, place, error)
         except NoService as error:
@@ -287,12 +291,8 @@ def watch(animator: Animator, stop: threading.Event) -> int:
             if stop.is_set():
                 break
             place = f"{report.done + report.failed + 1}  "
-            taken = animator.refuse_target(job, inputs)
             try:
-                if taken:
-                    animator.fail(job, place, taken)
-                else:
-                    animator.animate(job, place)
+                animator.take(job, place, inputs)
                 told = ""
             except (NoService, Busy) as error:
                 if str(error) != told:
