@@ -7,8 +7,8 @@ import { loadUploaded } from "../uploaded.mjs";
 const kTile = { width: 240, height: 360 };
 const kSheet = 72;
 const kTiles = [
-  { name: "godette", azimuth_deg: 25, elevation_deg: 3, at: [0, 1.15, 0], height: 1.0 },
-  { name: "godette", azimuth_deg: 150, elevation_deg: 3, at: [0, 1.15, 0], height: 1.0 },
+  { name: "godette", azimuth_deg: 25, elevation_deg: 3, at: [0, 1.17, 0], height: 1.16 },
+  { name: "godette", azimuth_deg: 150, elevation_deg: 3, at: [0, 1.17, 0], height: 1.16 },
   { name: "pmca", azimuth_deg: -118, elevation_deg: 4, at: [0, 1.22, -0.03], height: 0.9 },
 ];
 
