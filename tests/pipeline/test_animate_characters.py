@@ -15,7 +15,6 @@ import socket
 import subprocess
 import sys
 import tempfile
-import threading
 import unittest
 from pathlib import Path
 from typing import Optional
@@ -73,9 +72,7 @@ class FakeTime:
 class AnimateTest(unittest.TestCase):
     def setUp(self) -> None:
         self.stub = CharacterStub()
-        threading.Thread(target=self.stub.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        self.addCleanup(self.stub.server_close)
-        self.addCleanup(self.stub.shutdown)
+        self.stub.serve_during(self)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)

@@ -51,6 +51,12 @@ class Stub(ThreadingHTTPServer):
         self.seen: list[tuple[str, str, bytes]] = []  # path, Accept, body
         self.url = f"http://127.0.0.1:{self.server_address[1]}"
 
+    def serve_during(self, test: unittest.TestCase) -> None:
+        """Answers until the test has ended."""
+        threading.Thread(target=self.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        test.addCleanup(self.server_close)
+        test.addCleanup(self.shutdown)
+
     def answer(self, accept: str) -> Reply:
         return 200, {"Content-Type": f"{accept}; charset=utf-8", "Tuftwave-Frame-Rate": "24"}, accept.encode()
 
@@ -76,9 +82,7 @@ class Handler(BaseHTTPRequestHandler):
 class ClientTest(unittest.TestCase):
     def setUp(self) -> None:
         self.stub = Stub()
-        threading.Thread(target=self.stub.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        self.addCleanup(self.stub.server_close)
-        self.addCleanup(self.stub.shutdown)
+        self.stub.serve_during(self)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
