@@ -15,7 +15,8 @@ function middleOf(path: readonly Point[], height: number): number {
 }
 
 /**
- * Writes each picture's number beside its tip, outside of the tip's path; where tips are near each other, numbers give way downwards.
+ * Writes each picture's number beside its tip, outside of the tip's path. That of the current one has its place; where
+ * tips are near each other the others give way downwards by up to a line, and beyond that are left out.
  * @param tips  of each picture, pixels; so is path
  * @param current  the picture whose number stands out, from 0
  */
@@ -29,18 +30,21 @@ export function drawTipNumbers(
   if (tips.length > kMostNumbers) return;
   const places = tips
     .map(([x, y], picture) => ({ picture, x: x + (x < middleOf(path, y) ? -kDistance : kDistance), y }))
-    .sort((a, b) => a.y - b.y);
+    .sort((a, b) => Number(b.picture === current) - Number(a.picture === current) || a.y - b.y);
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.strokeStyle = look.paper;
   context.lineWidth = 3;
-  places.forEach((place, n) => {
-    for (const above of places.slice(0, n)) if (Math.abs(above.x - place.x) < kLine) place.y = Math.max(place.y, above.y + kLine);
-    const now = place.picture === current;
-    const number = String(place.picture + 1);
-    context.font = `${now ? "bold " : ""}${look.font}`;
-    context.fillStyle = now ? look.ink : look.soft;
-    context.strokeText(number, place.x, place.y);
-    context.fillText(number, place.x, place.y);
-  });
+  const taken: Point[] = [];
+  for (const { picture, x, y: wanted } of places) {
+    let y = wanted;
+    for (const [besideX, besideY] of taken) if (Math.abs(besideX - x) < kLine && Math.abs(besideY - y) < kLine) y = besideY + kLine;
+    if (y > wanted + kLine) continue;
+    taken.push([x, y]);
+    taken.sort((a, b) => a[1] - b[1]);
+    context.font = `${picture === current ? "bold " : ""}${look.font}`;
+    context.fillStyle = picture === current ? look.ink : look.soft;
+    context.strokeText(String(picture + 1), x, y);
+    context.fillText(String(picture + 1), x, y);
+  }
 }

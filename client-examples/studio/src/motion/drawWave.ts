@@ -73,7 +73,6 @@ export function drawWave(
 
   const [tips, path] = [hairs.map((hair) => hair[hair.length - 1] ?? place([0, 0])), shape.tipPath.map(place)];
   context.globalAlpha = 1;
-  drawTipNumbers(context, tips, path, picture, look);
   context.strokeStyle = context.fillStyle = look.soft;
   context.lineWidth = 1;
   strokeLine(context, path);
@@ -92,6 +91,7 @@ export function drawWave(
   context.lineWidth = 3;
   strokeLine(context, (shape.curves[picture] ?? []).map(place));
   context.restore();
+  drawTipNumbers(context, tips, path, picture, look);
   context.fillStyle = look.ink;
   dot(context, place([0, 0]), 3);
   dot(context, tips[picture] ?? place([Math.PI, 0]), 4);
