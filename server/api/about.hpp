@@ -13,7 +13,7 @@ Answer get_version(const Request& request, const Context& context);
 /// GET /openapi.yaml: the contract.
 Answer get_openapi(const Request& request, const Context& context);
 
-/// GET / and /docs: the contract as a page, and the files of that page below it.
+/// GET /docs: the contract as a page, and the files of that page below it.
 Answer get_docs(const Request& request, const Context& context);
 Answer get_docs_file(const Request& request, const Context& context);
 

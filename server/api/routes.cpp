@@ -13,12 +13,13 @@
 #include "api/json_guard.hpp"
 #include "api/motions.hpp"
 #include "api/schedules.hpp"
+#include "api/studio.hpp"
 #include "character/file_limits.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<Route, 16> kRoutes{{
+constexpr std::array<Route, 17> kRoutes{{
     {"POST", "/v1/tufts", post_tufts, true},
     {"POST", "/v1/fills", post_fills, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
@@ -31,10 +32,11 @@ constexpr std::array<Route, 16> kRoutes{{
     {"POST", "/v1/fits", post_fits, true},
     {"GET", "/v1/limits", get_limits, false},
     {"GET", "/v1/version", get_version, false},
-    {"GET", "/", get_docs, false},
+    {"GET", "/", get_root, false},
     {"GET", "/openapi.yaml", get_openapi, false},
     {"GET", "/docs", get_docs, false},
     {"GET", "/docs/{file}", get_docs_file, false},
+    {"GET", "/studio/{file}", get_studio_file, false},
 }};
 
 bool matches(std::string_view pattern, std::string_view path) {

@@ -1,12 +1,11 @@
 #include "api/schedules.hpp"
 
 #include <array>
-#include <charconv>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "api/body.hpp"
 #include "api/choices.hpp"
+#include "api/entity_tag.hpp"
 #include "api/formats.hpp"
 #include "api/query_body.hpp"
 #include "api/read_nouns.hpp"
@@ -69,27 +68,6 @@ Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
     return formatted(Format::kJson, json.dump(), "sheet", &*schedule);
 }
 
-/// A strong entity tag: FNV-1a of the exact bytes.
-std::string entity_tag(const std::string& body) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : body) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    char digits[17] = {};
-    const auto end = std::to_chars(digits, digits + 16, hash, 16).ptr;
-    return "\"" + std::string(digits, end) + "\"";
-}
-
-/// Adds what lets a cache keep the answer; 304 without a body for whoever has it.
-Response cacheable(Response response, const std::string& if_none_match) {
-    const std::string tag = entity_tag(response.body);
-    response.headers.emplace_back("ETag", tag);
-    response.headers.emplace_back("Cache-Control", "public, max-age=86400");
-    if (if_none_match.find(tag) != std::string::npos || if_none_match == "*") {
-        response.status = 304;
-        response.body.clear();
-    }
-    return response;
-}
-
 }  // namespace
 
 Answer post_schedules(const Request& request, const Context& context) {
@@ -108,7 +86,9 @@ Answer get_schedules(const Request& request, const Context& context) {
     Answer made = answer(query_body(request, kQueryFields), std::get<Format>(format), context.limits);
     if (auto* problem = std::get_if<Problem>(&made))
         return as_query_problem(std::move(*problem), kQueryFields, request);
-    return cacheable(std::get<Response>(std::move(made)), request.header("if-none-match"));
+    auto& response = std::get<Response>(made);
+    response.headers.emplace_back("Cache-Control", "public, max-age=86400");
+    return with_entity_tag(std::move(response), request);
 }
 
 }  // namespace tuftwave::server

@@ -5,7 +5,8 @@
 
 namespace tuftwave::server {
 
-/// A file that was built into the program, by its bare name: "openapi.yaml". Lives as long as the program.
+/// A file that was built into the program, by its name: "openapi.yaml", "studio/index.html". Lives as long as the
+/// program.
 std::optional<std::string_view> asset(std::string_view name);
 
 }  // namespace tuftwave::server

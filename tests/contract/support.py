@@ -38,6 +38,10 @@ class ServiceTest(unittest.TestCase):
     def assert_ok(self, answer: Answer, media_type: str) -> None:
         self.assertEqual((answer.status, answer.media_type), (200, media_type), answer.body[:300])
 
+    def has_studio(self) -> bool:
+        """Whether the server was built with the studio; else / is the page of /docs."""
+        return self.service.get("/").body != self.service.get("/docs").body
+
     def tearDown(self) -> None:
         self.assertTrue(self.service.is_running, "the server has ended")
 
