@@ -6,8 +6,10 @@ FROM debian:${DEBIAN}-slim AS build
 WORKDIR /src
 COPY script/setup script/setup
 COPY server/docs server/docs
-RUN script/setup build && { script/setup docs || echo "without npm the image has no page to try the API"; }
+COPY client-examples/studio/package.json client-examples/studio/package-lock.json client-examples/studio/.npmrc client-examples/studio/
+RUN script/setup build && { script/setup docs studio || echo "without npm the image has no page to try the API, and no studio"; }
 COPY . .
+RUN script/studio || echo "without npm the image has no studio"
 RUN cmake -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DTUFTWAVE_TESTS=OFF \
  && cmake --build /build --target tuftwave-server \
  && strip /build/server/tuftwave-server \
