@@ -11,58 +11,67 @@ export interface HairTones {
   readonly line: string;
 }
 
-const kShade = 287; // degrees: the violet that shade leans to
-const kLeaning = { middle: 10, dark: 20, line: 26, shine: -12 }; // degrees, at most
-const kSteps = { middle: 0.122, dark: 0.245 }; // of lightness below the light tone
+/** One tone from the picked color. */
+interface Mixture {
+  readonly lightness: number;
+  /** Times the picked chroma. */
+  readonly gain: number;
+  /** Times the turn of the deep shade. */
+  readonly turns: number;
+  /** Chroma of violet that pure grey gets. */
+  readonly violet: number;
+}
+
+// Degrees that the hue turns in the deep shade, by hue: on the shorter way to violet, yellow by orange, green by blue. Read off palettes
+// that were mixed by hand (rose, teal, gold, violet, auburn); the rest lies between.
+const kTurns = [[0, -7], [45, -16], [87, -24], [106, -22], [118, 14], [145, 22], [200, 28], [245, 16], [285, 0], [330, -5], [360, -7]] as const;
+const kSteps = { middle: 0.12, dark: 0.245 }; // of lightness below the light tone
 const kDim = 0.6; // lightness under which the steps get smaller
-const kGrey = 0.085; // chroma under which shade borrows the violet's
-const kBorrowed = { light: 0.006, middle: 0.026, dark: 0.042, line: 0.04 }; // chroma that pure grey gets
-const kBlack = { below: 0.46, lift: 0.3, hue: 268, chroma: 0.024 }; // black hair is lit by the sky: blue-grey
+const kGrey = 0.085; // chroma under which shade borrows violet
+const kViolet = { hue: 287, light: 0.006, middle: 0.026, dark: 0.036, line: 0.04 };
+const kBlack = { least: 0.33, share: 0.3, hue: 268, light: 0.026 }; // black hair is lit by the sky: blue-grey
 const kWhite = 0.958; // lightness; above it, the band of light would not be seen
 
 const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-/** Degrees by which a hue turns towards the shade's: none at it and none opposite it, where both ways are as long. */
-function turn(hue: number, most: number): number {
-  const sine = Math.sin(((kShade - hue) * Math.PI) / 180);
-  return most * Math.sign(sine) * Math.sqrt(Math.abs(sine));
+function turnOf(hue: number): number {
+  const next = Math.max(1, kTurns.findIndex(([at]) => hue < at));
+  const [[from, low], [to, high]] = [kTurns[next - 1]!, kTurns[next]!];
+  return low + ((hue - from) / (to - from)) * (high - low);
 }
 
 /**
  * The palette of a color of hair, as a cel painter would mix it: shade turns to violet, light to warm, grey shade to lavender, and black
  * hair is lit blue-grey.
- * @param color  "#rgb" or "#rrggbb", near the light tone
+ * @param color  "#rgb" or "#rrggbb"; it is the light tone, unless it is almost black or white
  * @throws RangeError if it is neither
  */
 export function hairTones(color: string): HairTones {
   const picked = toOklch(color);
-  const black = clamp(1 - picked.lightness / kBlack.below, 0, 1);
-  const lightness = Math.min(kWhite, picked.lightness + kBlack.lift * black * (1.25 - 0.55 * black));
+  const lightness = Math.min(kWhite, Math.max(picked.lightness, kBlack.least + kBlack.share * picked.lightness));
+  const black = lightness > picked.lightness;
   const grey = clamp(1 - picked.chroma / kGrey, 0, 1);
-  const hue = picked.hue;
-  const scale = Math.min(1, lightness / kDim);
-
-  /** The picked hue, turned, with chroma times `gain`, and as much of the violet as it is grey. */
-  const mixed = (tone: number, gain: number, leaning: number, borrowed: number): string => {
-    const own = ((hue + turn(hue, leaning)) * Math.PI) / 180;
-    const violet = ((black > 0 ? kBlack.hue : kShade) * Math.PI) / 180;
-    const chroma = gain * picked.chroma;
-    const lent = borrowed * grey;
-    const [a, b] = [chroma * Math.cos(own) + lent * Math.cos(violet), chroma * Math.sin(own) + lent * Math.sin(violet)];
+  const turn = turnOf(picked.hue);
+  const mix = ({ lightness: tone, gain, turns, violet }: Mixture): string => {
+    const own = radians(picked.hue + turns * turn);
+    const lent = radians(black ? kBlack.hue : kViolet.hue);
+    const [a, b] = [Math.cos, Math.sin].map((part) => gain * picked.chroma * part(own) + violet * grey * part(lent)) as [number, number];
     return fromOklch({ lightness: tone, chroma: Math.sqrt(a * a + b * b), hue: (Math.atan2(b, a) * 180) / Math.PI });
   };
 
+  const scale = Math.min(1, lightness / kDim);
   const dark = lightness - kSteps.dark * scale;
-  const line = clamp(0.29 + 0.62 * (lightness - 0.67), 0.13, Math.max(0.13, dark - 0.07));
+  const light = black ? kBlack.light : kViolet.light;
   const shine = lightness + (0.985 - lightness) * clamp(0.42 + 1.05 * (lightness - 0.38), 0.42, 1);
-  const lifted = black > 0 ? kBlack.chroma * Math.min(1, 2 * black) : kBorrowed.light;
+  const line = clamp(0.29 + 0.62 * (lightness - 0.67), 0.13, Math.max(0.13, dark - 0.07));
   return {
     tones: [
-      mixed(dark, 0.96, kLeaning.dark, kBorrowed.dark * (0.5 + 0.5 * scale)),
-      mixed(lightness - kSteps.middle * scale, 1.06, kLeaning.middle, kBorrowed.middle),
-      lightness === picked.lightness && grey === 0 ? fromOklch(picked) : mixed(lightness, 1, 0, lifted),
+      mix({ lightness: dark, gain: 1, turns: 1, violet: kViolet.dark }),
+      mix({ lightness: lightness - kSteps.middle * scale, gain: 1.12, turns: 0.5, violet: kViolet.middle }),
+      mix({ lightness, gain: 1, turns: 0, violet: light }),
     ],
-    shine: mixed(shine, 0.42, kLeaning.shine, lifted),
-    line: mixed(line, 0.68, kLeaning.line, kBorrowed.line),
+    shine: mix({ lightness: shine, gain: clamp(1.1 - 0.85 * lightness, 0.38, 0.7), turns: -0.5, violet: light }),
+    line: mix({ lightness: line, gain: 0.68, turns: 1.3, violet: kViolet.line }),
   };
 }
