@@ -6,6 +6,7 @@ type Schemas = components["schemas"];
 export type Vec3 = Schemas["Vec3"];
 export type Rotation = Schemas["Rotation"];
 export type Head = Schemas["Head"];
+export type ScalpMesh = Schemas["ScalpMesh"];
 export type Tuft = Schemas["Tuft"];
 export type Fill = Schemas["Fill"];
 export type Motion = Schemas["Motion"];

@@ -1,0 +1,142 @@
+import { Group, Raycaster, type BufferGeometry, type Ray } from "three";
+import { MeshBVH, acceleratedRaycast } from "three-mesh-bvh";
+import type { Vec3 } from "../api/contract";
+import { hairTones } from "../paint/hairTones";
+import { PoseTexture } from "../paint/PoseTexture";
+import { setHairTones } from "../paint/setHairTones";
+import { sharedUniforms } from "../paint/sharedUniforms";
+import type { LoadedHair } from "./HairLoader";
+import { tuftGeometry } from "./tuftGeometry";
+import type { TuftMesh } from "./TuftMesh";
+import { TuftSet, type PlacedTuft } from "./TuftSet";
+
+const kGhost = 0.22; // opacity of the pictures before and after
+const kRest = -1; // as a picture
+const kHovered = 0.25;
+const kSelected = 0.45;
+
+/** The hair in the scene: at rest or in a picture of its cycle, with its neighbors as ghosts, or in smooth motion. */
+export class HairView {
+  readonly group = new Group();
+  private readonly limitedPoses = new PoseTexture();
+  private readonly smoothPoses = new PoseTexture();
+  private readonly limitedPaint;
+  private readonly smoothPaint;
+  private readonly beforePaint;
+  private readonly afterPaint;
+  private readonly limited: TuftSet;
+  private readonly smooth: TuftSet;
+  private readonly before: TuftSet;
+  private readonly after: TuftSet;
+  private geometries = new Map<TuftMesh, BufferGeometry>();
+  private placed: readonly PlacedTuft[] = [];
+  private pictures = 0;
+  private hasSmooth = false;
+  private hoveredId: number | null = null;
+  private selectedIds: readonly number[] = [];
+  private readonly raycaster = new Raycaster();
+
+  constructor(color: string) {
+    const tones = hairTones(color);
+    this.limitedPaint = sharedUniforms(this.limitedPoses, tones);
+    this.smoothPaint = { ...this.limitedPaint, ...this.smoothPoses.uniforms };
+    this.beforePaint = { ...this.limitedPaint, picture: { value: kRest } };
+    this.afterPaint = { ...this.limitedPaint, picture: { value: kRest } };
+    this.limited = new TuftSet(this.limitedPaint);
+    this.smooth = new TuftSet(this.smoothPaint);
+    this.before = new TuftSet(this.beforePaint, kGhost);
+    this.after = new TuftSet(this.afterPaint, kGhost);
+    this.group.add(this.limited.group, this.smooth.group, this.before.group, this.after.group);
+    this.raycaster.firstHitOnly = true;
+  }
+
+  /** Another head of hair, or another state of it. */
+  show({ tufts, meshes, limited, smooth }: LoadedHair): void {
+    const kept = new Map<TuftMesh, BufferGeometry>();
+    let firstJoint = 0;
+    this.placed = meshes.map((mesh, i) => {
+      const isTaken = kept.has(mesh); // two tufts can be alike, and each needs a place of its own
+      const geometry = isTaken ? tuftGeometry(mesh) : (this.geometries.get(mesh) ?? tuftGeometry(mesh));
+      kept.set(isTaken ? { ...mesh } : mesh, geometry);
+      const place = { id: tufts[i]!.id, geometry, firstJoint };
+      firstJoint += mesh.rest.length / 3;
+      return place;
+    });
+    this.limited.set(this.placed);
+    this.limitedPoses.set(limited?.pictures ?? 0, limited?.joints ?? 0, limited?.matrices ?? new Float32Array());
+    this.smoothPoses.set(smooth?.pictures ?? 0, smooth?.joints ?? 0, smooth?.matrices ?? new Float32Array());
+    this.pictures = limited?.pictures ?? 0;
+    this.hasSmooth = smooth !== null;
+    for (const set of [this.smooth, this.before, this.after]) set.set([]);
+    for (const [mesh, geometry] of this.geometries) if (kept.get(mesh) !== geometry) geometry.dispose();
+    this.geometries = kept;
+    this.paintHighlights();
+  }
+
+  setColor(color: string): void {
+    setHairTones(this.limitedPaint, hairTones(color));
+  }
+
+  setCenter(center: Vec3): void {
+    this.limitedPaint.center.value.set(...center);
+  }
+
+  /** A still of the cycle; null is the hair at rest. @param onion  whether the one before and the one after shine through */
+  showPicture(picture: number | null, onion: boolean): void {
+    const isMoving = picture !== null && this.pictures > 0;
+    this.limitedPaint.picture.value = isMoving ? picture % this.pictures : kRest;
+    this.limited.group.visible = true;
+    this.smooth.group.visible = false;
+    const ghosts = isMoving && onion && this.pictures > 1;
+    for (const [set, paint, step] of [[this.before, this.beforePaint, -1], [this.after, this.afterPaint, 1]] as const) {
+      set.set(ghosts ? this.placed : []);
+      paint.picture.value = isMoving ? (picture + step + this.pictures) % this.pictures : kRest;
+    }
+  }
+
+  /** The motion as it would be without holds. @param part  of the cycle, 0..1 */
+  showSmooth(part: number): void {
+    this.smooth.set(this.placed);
+    this.smoothPoses.uniforms.picture.value = this.hasSmooth ? part * this.smoothPoses.uniforms.posePictures.value : kRest;
+    this.limited.group.visible = false;
+    this.smooth.group.visible = true;
+    for (const set of [this.before, this.after]) set.set([]);
+  }
+
+  set hovered(id: number | null) {
+    this.hoveredId = id;
+    this.paintHighlights();
+  }
+
+  set selected(ids: readonly number[]) {
+    this.selectedIds = ids;
+    this.paintHighlights();
+  }
+
+  /** The id of the tuft that a ray meets first, at rest. */
+  tuftAt(ray: Ray): number | null {
+    this.raycaster.ray.copy(ray);
+    let nearest: number | null = null;
+    let closest = Infinity;
+    for (const { id, mesh } of this.limited.meshes) {
+      mesh.geometry.boundsTree ??= new MeshBVH(mesh.geometry);
+      mesh.raycast = acceleratedRaycast;
+      const [hit] = this.raycaster.intersectObject(mesh, false);
+      if (!hit || hit.distance >= closest) continue;
+      [nearest, closest] = [id, hit.distance];
+    }
+    return nearest;
+  }
+
+  dispose(): void {
+    for (const set of [this.limited, this.smooth, this.before, this.after]) set.dispose();
+    for (const geometry of this.geometries.values()) geometry.dispose();
+    this.limitedPoses.dispose();
+    this.smoothPoses.dispose();
+    this.limitedPaint.ramp.value.dispose();
+  }
+
+  private paintHighlights(): void {
+    this.limited.highlight((id) => (this.selectedIds.includes(id) ? kSelected : id === this.hoveredId ? kHovered : 0));
+  }
+}

@@ -1,0 +1,51 @@
+import type { Head, Tuft } from "../api/contract";
+import type { Service } from "../api/Service";
+import { readTufts } from "./readTufts";
+import type { TuftMesh } from "./TuftMesh";
+import { tuftKey } from "./tuftKey";
+
+const kKept = 2000; // meshes of about 25 kB
+
+/** Meshes of tufts. Only those that were not asked for before are asked for, so that undoing needs no service. */
+export class TuftCache {
+  private readonly meshes = new Map<string, TuftMesh>();
+
+  constructor(private readonly service: Service) {}
+
+  /** A mesh per tuft, null where `tufts` has one that is not known. */
+  known(tufts: readonly Tuft[], head: Head): (TuftMesh | null)[] {
+    return tufts.map((tuft) => this.meshes.get(tuftKey(tuft, head)) ?? null);
+  }
+
+  /** A mesh per tuft. @throws as Service does */
+  async load(tufts: readonly Tuft[], head: Head, signal: AbortSignal): Promise<TuftMesh[]> {
+    const keys = tufts.map((tuft) => tuftKey(tuft, head));
+    const missing = [...new Set(keys)].filter((key) => !this.meshes.has(key));
+    if (missing.length > 0) {
+      const asked = missing.map((key) => bareTuft(tufts[keys.indexOf(key)]!));
+      const { scalp: _, ...bareHead } = head; // nothing drawn depends on it
+      const made = readTufts(await this.service.bytes("/v1/tufts", { body: { head: bareHead, tufts: asked }, signal }));
+      missing.forEach((key, i) => this.meshes.set(key, made[i]!));
+    }
+    const meshes = keys.map((key) => this.touch(key));
+    for (const key of this.meshes.keys()) {
+      if (this.meshes.size <= Math.max(kKept, tufts.length)) break;
+      this.meshes.delete(key);
+    }
+    return meshes;
+  }
+
+  /** Moves a mesh to the end, away from those that are dropped first. */
+  private touch(key: string): TuftMesh {
+    const mesh = this.meshes.get(key)!;
+    this.meshes.delete(key);
+    this.meshes.set(key, mesh);
+    return mesh;
+  }
+}
+
+/** Without what belongs to the page. */
+function bareTuft(tuft: Tuft): Tuft {
+  const { id: _, ...bare } = tuft as Tuft & { id?: number };
+  return bare;
+}

@@ -1,0 +1,29 @@
+import type { ServiceProblem } from "../api/ServiceProblem";
+import type { Slider } from "../widgets/Slider";
+
+/** The fields on the page by the JSON pointers of the contract, without numbers: "/tufts/diameter". */
+export class Fields {
+  private sliders: { readonly field: string; readonly slider: Slider }[] = [];
+
+  add(field: string, slider: Slider): Slider {
+    this.sliders.push({ field, slider });
+    return slider;
+  }
+
+  /** Another panel comes. */
+  clear(): void {
+    this.sliders = [];
+  }
+
+  /** Shows each fault of a problem at its field. @return  whether the first one has a field that is on show */
+  show(problem: ServiceProblem | null): boolean {
+    const faults = (problem?.fields ?? []).map(({ pointer, detail }) => ({ field: pointer.replace(/\/\d+/g, ""), detail }));
+    let isShown = false;
+    for (const { field, slider } of this.sliders) {
+      const fault = faults.find((one) => one.field === field);
+      slider.showProblem(fault?.detail ?? null);
+      if (fault === faults[0] && fault && slider.element.checkVisibility()) isShown = true;
+    }
+    return isShown;
+  }
+}

@@ -1,0 +1,35 @@
+import type { App } from "./App";
+import { duplicateTufts } from "./model/duplicateTufts";
+import { mirrorTuft } from "./model/mirrorTuft";
+import type { Mode } from "./Studio";
+
+const kModes: Readonly<Record<string, Mode>> = { "1": "draw", "2": "shape", "3": "fill", "4": "move" };
+
+/** Keys that work anywhere on the page but where one writes. */
+export function shortcuts(event: KeyboardEvent, app: App): void {
+  const { studio } = app;
+  const writes = event.target instanceof HTMLInputElement && event.target.type !== "range" && event.target.type !== "checkbox" && event.target.type !== "radio";
+  const key = event.key.toLowerCase();
+  if (event.ctrlKey || event.metaKey) {
+    if (key === "z" && event.shiftKey) studio.history.redo();
+    else if (key === "z") studio.history.undo();
+    else if (key === "y") studio.history.redo();
+    else if (key === "d" && !writes) copySelected(app, false);
+    else return;
+    event.preventDefault();
+    return;
+  }
+  if (writes || event.altKey || event.defaultPrevented) return;
+  const mode = kModes[key];
+  if (mode) studio.mode.value = mode;
+  else if (key === "m") copySelected(app, true);
+  else return;
+  event.preventDefault();
+}
+
+function copySelected({ studio }: App, mirrors: boolean): void {
+  if (studio.selection.value.length === 0) return;
+  const { document, added } = duplicateTufts(studio.document, studio.selection.value, (tuft) => (mirrors ? mirrorTuft(tuft, studio.document.head) : tuft));
+  studio.edit(() => document);
+  studio.select(added);
+}

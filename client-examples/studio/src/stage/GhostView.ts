@@ -1,0 +1,47 @@
+import type { BufferGeometry } from "three";
+import { tuftGeometry } from "../hair/tuftGeometry";
+import type { TuftMesh } from "../hair/TuftMesh";
+import { TuftSet } from "../hair/TuftSet";
+import { hairTones } from "../paint/hairTones";
+import { PoseTexture } from "../paint/PoseTexture";
+import { setHairTones } from "../paint/setHairTones";
+import { sharedUniforms } from "../paint/sharedUniforms";
+
+const kOpacity = 0.6;
+const kTint = 0.35; // of the accent, since it is not hair yet
+
+/** Tufts that may come: the preview of a fill. */
+export class GhostView {
+  private readonly poses = new PoseTexture();
+  private readonly paint;
+  private readonly tufts: TuftSet;
+  private geometries: BufferGeometry[] = [];
+
+  constructor(color: string) {
+    this.paint = sharedUniforms(this.poses, hairTones(color));
+    this.tufts = new TuftSet(this.paint, kOpacity);
+  }
+
+  get group() {
+    return this.tufts.group;
+  }
+
+  show(meshes: readonly TuftMesh[]): void {
+    const old = this.geometries;
+    this.geometries = meshes.map(tuftGeometry);
+    this.tufts.set(this.geometries.map((geometry, id) => ({ id, geometry, firstJoint: 0 })));
+    this.tufts.highlight(() => kTint);
+    for (const geometry of old) geometry.dispose();
+  }
+
+  setColor(color: string): void {
+    setHairTones(this.paint, hairTones(color));
+  }
+
+  dispose(): void {
+    this.show([]);
+    this.tufts.dispose();
+    this.poses.dispose();
+    this.paint.ramp.value.dispose();
+  }
+}

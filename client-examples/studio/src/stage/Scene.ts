@@ -1,0 +1,14 @@
+import type { Ray } from "three";
+import type { Signal } from "../base/Signal";
+import type { HairView } from "../hair/HairView";
+import type { HeadSurface } from "./HeadSurface";
+import type { Viewport } from "./Viewport";
+
+/** What tools work on: the picture, the head in it and the hair. */
+export interface Scene {
+  readonly viewport: Viewport;
+  readonly head: Signal<HeadSurface>;
+  readonly hair: HairView;
+  /** The tuft under the pointer, by its id. */
+  tuftAt(ray: Ray): number | null;
+}
