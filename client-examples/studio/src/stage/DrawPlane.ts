@@ -1,8 +1,9 @@
-import { DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Plane, PlaneGeometry, BufferGeometry, Float32BufferAttribute, Vector3, type Ray } from "three";
+import { DoubleSide, Group, Quaternion, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Plane, PlaneGeometry, BufferGeometry, Float32BufferAttribute, Vector3, type Ray } from "three";
 
-const kHalf = 0.2; // metres of its visible part
+const kHalf = 0.2; // metres of its visible part, on a head of the bundled one's size
 const kLines = 8;
-const kArm = 0.075; // from the root to the handle
+const kArm = 0.085; // from the root to the handle
+const kHandle = new Vector3(0.62, 0.42, 0.66).normalize(); // from the root to the handle, in the plane's own axes
 
 /** The projection plane of the paper: through the root, turned as one likes. Points are put where the pointer's ray meets it. */
 export class DrawPlane {
@@ -18,13 +19,22 @@ export class DrawPlane {
     this.group.visible = false;
   }
 
+  /** Of the head; see headScale. */
+  set size(scale: number) {
+    this.group.scale.setScalar(scale);
+  }
+
+  private get arm(): number {
+    return kArm * this.group.scale.x;
+  }
+
   get plane(): Plane {
     return new Plane().setFromNormalAndCoplanarPoint(this.normal, this.root);
   }
 
-  /** Where its handle is: at the end of its normal. */
+  /** Where its handle is: over the plane and to the side, so that it never hides the root. */
   get handle(): Vector3 {
-    return this.root.clone().addScaledVector(this.normal, kArm);
+    return kHandle.clone().applyQuaternion(this.group.quaternion).multiplyScalar(this.arm).add(this.root);
   }
 
   place(root: Vector3, normal: Vector3): void {
@@ -34,16 +44,22 @@ export class DrawPlane {
     this.group.lookAt(root.clone().add(this.normal));
   }
 
-  /** The handle follows a ray: it stays on a ball around the root. */
+  /** The handle follows a ray on its ball around the root, and the plane with it. */
   turnTo(ray: Ray): void {
     const nearest = ray.closestPointToPoint(this.root, new Vector3());
     const beside = nearest.distanceTo(this.root);
-    const back = Math.sqrt(Math.max(0, kArm * kArm - beside * beside));
-    this.place(this.root, nearest.addScaledVector(ray.direction, -back).sub(this.root));
+    const back = Math.sqrt(Math.max(0, this.arm * this.arm - beside * beside));
+    const wanted = nearest.addScaledVector(ray.direction, -back).sub(this.root).normalize();
+    this.turn(new Quaternion().setFromUnitVectors(this.handle.sub(this.root).normalize(), wanted));
   }
 
   turnBy(axis: Vector3, angle: number): void {
-    this.place(this.root, this.normal.clone().applyAxisAngle(axis, angle));
+    this.turn(new Quaternion().setFromAxisAngle(axis, angle));
+  }
+
+  private turn(by: Quaternion): void {
+    this.group.quaternion.premultiply(by);
+    this.normal.set(0, 0, 1).applyQuaternion(this.group.quaternion);
   }
 
   dispose(): void {

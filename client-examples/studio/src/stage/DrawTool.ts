@@ -4,6 +4,7 @@ import { Freehand } from "../draw/Freehand";
 import { roundPoint } from "../draw/roundPoint";
 import { strokeLine } from "../draw/strokeLine";
 import { addTufts } from "../model/addTufts";
+import { headScale } from "../model/headScale";
 import { mirrorTuft } from "../model/mirrorTuft";
 import type { Studio } from "../Studio";
 import type { stageText } from "../text/stageText";
@@ -13,7 +14,8 @@ import type { Scene } from "./Scene";
 import type { StagePointer } from "./StagePointer";
 import type { Tool } from "./Tool";
 
-const kFurthest = 1.5; // metres from the root; a plane seen from its edge reaches anywhere
+const kFurthest = 1.5; // metres from the root, on a head of the bundled one's size; a plane seen from its edge reaches anywhere
+const kNearest = 1e-4; // metres between two points: a second click in one place is none
 const kTurn = Math.PI / 36; // of the plane, per key
 
 /**
@@ -50,7 +52,7 @@ export class DrawTool implements Tool {
     const view = viewport.view;
     if (this.studio.pen.value.follows === "plane") this.plane.place(hit.point, view.clone().negate());
     const plane = this.studio.pen.value.follows === "plane" ? this.plane.plane : null;
-    this.freehand = new Freehand({ hit: (one) => head.value.hit(one), plane, view }, hit.point, pressure);
+    this.freehand = new Freehand({ hit: (one) => head.value.hit(one), plane, view, scale: this.scale }, hit.point, pressure);
     return true;
   }
 
@@ -72,7 +74,7 @@ export class DrawTool implements Tool {
   click(pointer: StagePointer): void {
     if (this.clicked.length === 0) return;
     const place = this.placeOf(pointer);
-    if (!place || place.distanceTo(this.clicked.at(-1)!) < 1e-4) return;
+    if (!place || place.distanceTo(this.clicked.at(-1)!) < kNearest * this.scale) return;
     this.clicked.push(place);
     this.showClicked();
   }
@@ -111,6 +113,7 @@ export class DrawTool implements Tool {
 
   private begin(root: Vector3): void {
     this.clicked = [root];
+    this.plane.size = this.scale;
     this.plane.place(root, this.scene.viewport.view.negate());
     this.plane.group.visible = true;
     this.showClicked();
@@ -136,13 +139,17 @@ export class DrawTool implements Tool {
 
   private placeOf({ ray }: StagePointer): Vector3 | null {
     const place = ray.intersectPlane(this.plane.plane, new Vector3());
-    return place && place.distanceTo(this.plane.root) < kFurthest ? place : null;
+    return place && place.distanceTo(this.plane.root) < kFurthest * this.scale ? place : null;
   }
 
   /** Kept, or given up if it has no second point. */
   finish(): void {
     if (this.clicked.length > 1) this.keep({ ...this.newTuft(), points: this.clicked.map(roundPoint) });
     else this.clear();
+  }
+
+  private get scale(): number {
+    return headScale(this.studio.document.head);
   }
 
   private newTuft(): Omit<Tuft, "points"> {

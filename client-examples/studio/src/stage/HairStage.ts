@@ -4,6 +4,7 @@ import type { FillPreview } from "../fill/FillPreview";
 import { HairView } from "../hair/HairView";
 import type { Player } from "../motion/Player";
 import { hairTones } from "../paint/hairTones";
+import { headScale } from "../model/headScale";
 import type { PaintedHead } from "../paint/PaintedHead";
 import type { Mode, Studio } from "../Studio";
 import { language } from "../text/language";
@@ -15,8 +16,13 @@ import { HeadSurface } from "./HeadSurface";
 import type { Scene } from "./Scene";
 import { ShapeTool } from "./ShapeTool";
 import type { Tool } from "./Tool";
-import { Viewport } from "./Viewport";
+import { Viewport, type View } from "./Viewport";
 import { WindTool } from "./WindTool";
+
+// Metres, on a head of the bundled one's size.
+const kHeight = 0.46; // of the picture
+const kMiddle = -0.02; // of the picture, above the head's center
+const kLit = 0.3; // around the head
 
 /** The picture with everything in it: the head, its hair, what may come, and the tool of the mode. */
 export class HairStage implements Scene {
@@ -77,9 +83,14 @@ export class HairStage implements Scene {
     this.viewport.invalidate();
   }
 
-  /** Brings the hair, or the head if there is none, into the picture. */
-  frameAll(): void {
-    this.viewport.frameBall(new Vector3(...(this.studio.document.head.center ?? [0, 0, 0])), 0.2);
+  /** The head of the document comes into the picture. @param view  from where */
+  frameHead(view: View = "quarter"): void {
+    const { head } = this.studio.document;
+    const scale = headScale(head);
+    const middle = new Vector3(...(head.center ?? [0, 0, 0]));
+    this.viewport.stage.lightUp(middle.toArray(), kLit * scale);
+    this.viewport.home = { middle: middle.add(new Vector3(0, kMiddle * scale, 0)), height: kHeight * scale };
+    this.viewport.look(view);
   }
 
   private setColor(color: string): void {

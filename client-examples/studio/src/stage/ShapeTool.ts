@@ -2,6 +2,7 @@ import { Plane, Vector3 } from "three";
 import { roundPoint } from "../draw/roundPoint";
 import { strokeLine } from "../draw/strokeLine";
 import { changeTufts } from "../model/changeTufts";
+import { headScale } from "../model/headScale";
 import { insertPoint } from "../model/insertPoint";
 import { movePoint } from "../model/movePoint";
 import { removePoint } from "../model/removePoint";
@@ -119,7 +120,7 @@ export class ShapeTool implements Tool {
   /** An arrow key as a way in the picture's plane. */
   private nudge({ key, shiftKey }: KeyboardEvent): Vector3 {
     const axis = new Vector3().setFromMatrixColumn(this.scene.viewport.camera.matrixWorld, key === "ArrowLeft" || key === "ArrowRight" ? 0 : 1);
-    return axis.multiplyScalar((key === "ArrowLeft" || key === "ArrowDown" ? -1 : 1) * kNudge * (shiftKey ? 5 : 1));
+    return axis.multiplyScalar((key === "ArrowLeft" || key === "ArrowDown" ? -1 : 1) * kNudge * headScale(this.studio.document.head) * (shiftKey ? 5 : 1));
   }
 
   /** The place of the tuft's line nearest to the pointer, and which point it would be; null if none is near. */

@@ -9,8 +9,6 @@ import type { Tool } from "./Tool";
 const kClick_px = 5; // a press that moves less is a click
 const kTurn = Math.PI / 24; // per arrow key
 const kZoom = 1.1;
-const kHeight = 0.46; // metres of the scene that a new picture shows
-const kMiddle = new Vector3(0, -0.02, 0);
 
 /** Directions to look from, degrees right of the front and up. */
 export const kViews = { front: [0, 0], quarter: [-32, 6], left: [90, 0], right: [-90, 0], back: [180, 5], top: [0, 80] } as const;
@@ -27,6 +25,8 @@ export class Viewport {
   onFrame: () => boolean = () => false;
   /** Draws; the whole canvas by default. */
   onDraw: () => void = () => this.stage.render(this.camera);
+  /** What `look` brings into the picture: its middle, and how many metres are seen from top to bottom. */
+  home = { middle: new Vector3(0, -0.02, 0), height: 0.46 };
   private readonly controls: OrbitControls;
   private tool: Tool | null = null;
   private taken = false;
@@ -43,8 +43,6 @@ export class Viewport {
     this.stage = new Stage(this.canvas);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
-    this.controls.minDistance = 0.3;
-    this.controls.maxDistance = 8;
     this.controls.addEventListener("change", () => this.invalidate());
     this.look("quarter");
     this.listen();
@@ -74,20 +72,14 @@ export class Viewport {
 
   look(view: View): void {
     const [azimuth, elevation] = kViews[view];
-    const distance = kHeight / 2 / Math.tan((this.camera.fov * Math.PI) / 360);
-    this.controls.target.copy(kMiddle);
-    this.camera.position.setFromSphericalCoords(distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180).add(kMiddle);
-    this.controls.update();
-    this.invalidate();
-  }
-
-  /** Brings a ball of the scene into the picture, seen from where the eye is. */
-  frameBall(middle: Vector3, radius: number): void {
-    const distance = (1.1 * radius) / Math.tan((this.camera.fov * Math.PI) / 360);
-    const back = this.camera.position.clone().sub(this.controls.target).setLength(distance);
+    const { middle, height } = this.home;
+    const distance = height / 2 / Math.tan((this.camera.fov * Math.PI) / 360);
     this.controls.target.copy(middle);
-    this.camera.position.copy(middle).add(back);
-    this.controls.maxDistance = Math.max(8, 4 * distance);
+    this.controls.minDistance = distance / 5;
+    this.controls.maxDistance = distance * 6;
+    this.camera.near = distance / 50;
+    this.camera.far = distance * 20;
+    this.camera.position.setFromSphericalCoords(distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180).add(middle);
     this.controls.update();
     this.invalidate();
   }

@@ -1,14 +1,14 @@
 import { Vector3 } from "three";
-import type { Vec3 } from "../api/contract";
+import { headScale } from "../model/headScale";
 import type { Studio } from "../Studio";
 import type { stageText } from "../text/stageText";
 import type { Scene } from "./Scene";
 import type { Tool } from "./Tool";
 
-const kArm = 0.17; // metres from the head's center to the arrow's end
-const kStart = 0.135;
+const kArm = 0.17; // metres from the center to the handle, on a head of the bundled one's size
+const kStart = 0.135; // outside of the head
+const kBarb = { from: 0.012, tip: 0.034, half: 0.014 }; // of the arrow, beyond its handle
 const kTurn = Math.PI / 24; // per arrow key
-const kAxes: Vec3 = [0, 1, 0];
 
 /** The wind: an arrow whose end is dragged around the head. */
 export class WindTool implements Tool {
@@ -34,21 +34,28 @@ export class WindTool implements Tool {
     return new Vector3(...(this.studio.document.motion.wind ?? [1, 0, 0])).normalize();
   }
 
+  private get scale(): number {
+    return headScale(this.studio.document.head);
+  }
+
   private show(): void {
     const { viewport } = this.scene;
     const { center, wind } = this;
-    const tip = center.clone().addScaledVector(wind, kArm);
+    const at = (along: number) => center.clone().addScaledVector(wind, along * this.scale);
     const side = new Vector3().crossVectors(wind, viewport.view).normalize();
-    const barb = (sign: number) => tip.clone().addScaledVector(wind, -0.022).addScaledVector(side, sign * 0.014);
-    const tail = center.clone().addScaledVector(wind, -kArm);
+    const barb = (sign: number) => at(kArm + kBarb.from).addScaledVector(side, sign * kBarb.half * this.scale);
     viewport.overlay.show(
       [{
-        place: tip, name: this.words().windHandle, kind: "wind",
+        place: at(kArm), name: this.words().windHandle, kind: "wind",
         onDrag: (event) => this.turnTo(event),
         onSettle: () => this.studio.history.settle(),
         onKey: (event) => this.turnBy(event.key),
       }],
-      [{ places: [center.clone().addScaledVector(wind, kStart), tip], kind: "wind" }, { places: [barb(1), tip, barb(-1)], kind: "wind" }, { places: [tail, center.clone().addScaledVector(wind, -kStart)], kind: "wind" }],
+      [
+        { places: [at(-kArm), at(-kStart)], kind: "wind" },
+        { places: [at(kStart), at(kArm + kBarb.tip)], kind: "wind" },
+        { places: [barb(1), at(kArm + kBarb.tip), barb(-1)], kind: "wind" },
+      ],
     );
     viewport.invalidate();
   }
@@ -57,7 +64,7 @@ export class WindTool implements Tool {
     const ray = this.scene.viewport.rayAt(clientX, clientY);
     const { center } = this;
     const nearest = ray.closestPointToPoint(center, new Vector3());
-    const back = Math.sqrt(Math.max(0, kArm * kArm - nearest.distanceToSquared(center)));
+    const back = Math.sqrt(Math.max(0, (kArm * this.scale) ** 2 - nearest.distanceToSquared(center)));
     // The side of the ball on which it was, so that wind from the eye does not turn into wind towards it.
     const side = this.wind.dot(ray.direction) > 0 ? 1 : -1;
     this.set(nearest.addScaledVector(ray.direction, side * back).sub(center));
@@ -65,8 +72,8 @@ export class WindTool implements Tool {
 
   private turnBy(key: string): boolean {
     const { wind } = this;
-    if (key === "ArrowLeft" || key === "ArrowRight") wind.applyAxisAngle(new Vector3(...kAxes), key === "ArrowLeft" ? -kTurn : kTurn);
-    else if (key === "ArrowUp" || key === "ArrowDown") wind.applyAxisAngle(new Vector3().crossVectors(wind, new Vector3(...kAxes)).normalize(), key === "ArrowUp" ? kTurn : -kTurn);
+    if (key === "ArrowLeft" || key === "ArrowRight") wind.applyAxisAngle(new Vector3(0, 1, 0), key === "ArrowLeft" ? -kTurn : kTurn);
+    else if (key === "ArrowUp" || key === "ArrowDown") wind.applyAxisAngle(new Vector3().crossVectors(wind, new Vector3(0, 1, 0)).normalize(), key === "ArrowUp" ? kTurn : -kTurn);
     else return false;
     this.set(wind);
     return true;
