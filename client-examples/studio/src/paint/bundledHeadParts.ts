@@ -1,7 +1,9 @@
 import * as THREE from "three";
 import { cutBelow } from "./cutBelow";
+import { drawnProfile } from "./drawnProfile";
+import { isInMouth } from "./isInMouth";
 
-/** One part of the head: the geometry to paint and the one to outline, in the hair's frame. */
+/** One part of the head in the hair's frame: to paint, with flat normals, and to outline, with its own. */
 export interface HeadPart {
   readonly painted: THREE.BufferGeometry;
   readonly outlined: THREE.BufferGeometry;
@@ -26,12 +28,6 @@ export const kFaceBox: readonly [number, number, number, number] = [
 ];
 
 const axisOfNeck = (y: number): number => 0.03 + 0.1 * (y - 1.4);
-
-/** The bag behind the lips, and where they touch: the outline would draw a line between them. */
-function inMouth([x, y, z, , up]: readonly [number, number, number, number, number, number]): boolean {
-  const lips = y > 1.462 && y < 1.492 && Math.abs(up) > 0.5;
-  return Math.abs(x) < 0.032 && y > 1.45 && y < 1.515 && z > 0.04 && (z < 0.15 - Math.abs(x) || lips);
-}
 
 /** Cuts neck and chin to the widths that hair of these proportions is drawn for. */
 function slimNeck(geometry: THREE.BufferGeometry): void {
@@ -72,8 +68,11 @@ export function bundledHeadParts(scene: THREE.Object3D): Map<string, HeadPart> {
     if (!(node instanceof THREE.Mesh)) return;
     const { geometry, material } = node as THREE.Mesh<THREE.BufferGeometry, THREE.Material>;
     const painted = cutBelow(geometry, kNeck.cut, kNeck.column);
-    const outlined = cutBelow(geometry, kNeck.cut, kNeck.column, inMouth);
-    for (const part of [painted, outlined]) slimNeck(part);
+    const outlined = cutBelow(geometry, kNeck.cut, kNeck.column, ([x, y, z]) => isInMouth(x, y, z));
+    for (const part of [painted, outlined]) {
+      drawnProfile(part);
+      slimNeck(part);
+    }
     flattenRelief(painted);
     for (const part of [painted, outlined]) part.applyMatrix4(place);
     parts.set(material.name, { painted, outlined });

@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import { bakedGeometry } from "./bakedGeometry";
-import { hairTones } from "./hairTones";
+import { skinTones } from "./skinTones";
 import { outlineMaterial } from "./outlineMaterial";
 import { outlineOf } from "./outlineOf";
 import type { PaintedHead } from "./PaintedHead";
@@ -32,7 +32,7 @@ function baseColorOf(material: THREE.Material): BaseColor {
 
 function paintOf({ map, color, side }: BaseColor): THREE.ShaderMaterial {
   const { light } = kSkin;
-  if (!map) return toonMaterial({ tones: color ? hairTones(color).tones : kSkin.tones, light, side });
+  if (!map) return toonMaterial({ tones: color ? skinTones(color) : kSkin.tones, light, side });
   const shown = map.clone(); // as the file has its bytes: without a change of color space
   shown.colorSpace = THREE.NoColorSpace;
   return toonMaterial({ tones: kTints, light, side, map: shown });

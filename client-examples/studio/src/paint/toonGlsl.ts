@@ -13,6 +13,7 @@ export const kToonVertex = /* glsl */ `
     uniform mat3 mapTransform;
     varying vec2 vAt;
   #endif
+  invariant gl_Position;
   void main() {
     #include <beginnormal_vertex>
     #include <begin_vertex>

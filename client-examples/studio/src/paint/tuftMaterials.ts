@@ -27,6 +27,7 @@ const kDepthVertex = /* glsl */ `
   ${kPosingGlsl}
   uniform float opacity;
   uniform bool shadow;
+  invariant gl_Position; // the veil is exactly where the surface is
   void main() {
     #include <begin_vertex>
     #ifdef POSED
@@ -66,9 +67,6 @@ export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
     uniforms: { ...posing, shadow: { value: false } },
     transparent: true, // drawn among what is not solid
     colorWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 4,
     visible: false,
   });
   return {
