@@ -2,6 +2,7 @@ import { element } from "./base/element";
 import { theme, type Theme } from "./base/theme";
 import { Autosave } from "./keep/Autosave";
 import { FillPreview } from "./fill/FillPreview";
+import { helpDialog } from "./help/helpDialog";
 import { newDocument } from "./model/newDocument";
 import { ExposureSheet } from "./motion/ExposureSheet";
 import { Player } from "./motion/Player";
@@ -34,6 +35,7 @@ export class App {
   readonly player = new Player();
   private readonly preview: FillPreview;
   private readonly fields = new Fields();
+  private transport: Transport | null = null;
   private panel: Panel | null = null;
   private endings: (() => void)[] = [];
 
@@ -47,6 +49,15 @@ export class App {
 
   get words(): typeof appText.en {
     return appText[language.value];
+  }
+
+  /** Keys of playback. @return  whether it has a use for this one */
+  playbackKey(event: KeyboardEvent): boolean {
+    return this.studio.mode.value === "move" && (this.transport?.handleKey(event) ?? false);
+  }
+
+  help(): void {
+    helpDialog(language.value).show();
   }
 
   private build(): void {
@@ -75,6 +86,7 @@ export class App {
       ),
       element("div", { className: "bar-space" }),
       element("div", { className: "bar-group" },
+        iconButton("help", words.help, () => this.help(), { shortcut: "?" }),
         iconButton("sun", words.theme, () => (theme.value = kThemes[(kThemes.indexOf(theme.value) + 1) % kThemes.length]!)),
         element("button", { type: "button", className: "plain", lang: language.value === "en" ? "ja" : "en", onclick: () => (language.value = language.value === "en" ? "ja" : "en") }, words.language)));
   }
@@ -142,7 +154,7 @@ export class App {
   private timeline(): HTMLElement {
     const { studio, player, stage } = this;
     const words = motionText[language.value];
-    const transport = new Transport(words);
+    const transport = (this.transport = new Transport(words));
     const sheet = new ExposureSheet(words);
     const show = () => {
       transport.setPlaying(player.playing);

@@ -23,7 +23,8 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
   const mode = kModes[key];
   if (mode) studio.mode.value = mode;
   else if (key === "m") copySelected(app, true);
-  else return;
+  else if (key === "?") app.help();
+  else if (!app.playbackKey(event)) return;
   event.preventDefault();
 }
 
