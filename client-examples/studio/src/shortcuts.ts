@@ -5,10 +5,12 @@ import type { Mode } from "./Studio";
 
 const kModes: Readonly<Record<string, Mode>> = { "1": "draw", "2": "shape", "3": "fill", "4": "move" };
 
+const kPushed: readonly string[] = ["range", "checkbox", "radio", "color"]; // inputs in which nobody writes
+
 /** Keys that work anywhere on the page but where one writes. */
 export function shortcuts(event: KeyboardEvent, app: App): void {
   const { studio } = app;
-  const writes = event.target instanceof HTMLInputElement && event.target.type !== "range" && event.target.type !== "checkbox" && event.target.type !== "radio";
+  const writes = event.target instanceof HTMLSelectElement || (event.target instanceof HTMLInputElement && !kPushed.includes(event.target.type));
   const key = event.key.toLowerCase();
   if (event.ctrlKey || event.metaKey) {
     if (key === "z" && event.shiftKey) studio.history.redo();

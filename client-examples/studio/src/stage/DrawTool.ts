@@ -71,6 +71,10 @@ export class DrawTool implements Tool {
     else this.clear();
   }
 
+  cancel(): void {
+    this.clear();
+  }
+
   click(pointer: StagePointer): void {
     if (this.clicked.length === 0) return;
     const place = this.placeOf(pointer);

@@ -10,6 +10,8 @@ export interface Tool {
   /** A press that was taken goes on, `trail` being where it went since the last time, this place included, and ends. */
   drag?(trail: readonly StagePointer[]): void;
   release?(pointer: StagePointer, isClick: boolean): void;
+  /** A press that was taken is no longer meant: a second finger came. */
+  cancel?(): void;
   /** A press that was not taken ended where it began. */
   click?(pointer: StagePointer): void;
   doubleClick?(pointer: StagePointer): void;

@@ -32,6 +32,8 @@ export class Viewport {
   private taken = false;
   private pressedAt: Vector2 | null = null;
   private moved = 0;
+  private first: PointerEvent | null = null;
+  private isHandingOver = false;
   private isStale = true;
 
   /** @param name  what it is, for those who do not see it */
@@ -113,16 +115,33 @@ export class Viewport {
   }
 
   private press(event: PointerEvent): void {
-    if (event.target !== this.canvas) return;
+    if (event.target !== this.canvas || this.isHandingOver) return;
+    if (!event.isPrimary) {
+      this.handOver();
+      return;
+    }
     this.canvas.classList.add("is-pointed"); // only the keyboard needs to see the focus
     this.canvas.focus({ preventScroll: true });
     this.pressedAt = new Vector2(event.clientX, event.clientY);
     this.moved = 0;
-    // A second finger turns and zooms.
-    this.taken = event.button === 0 && event.isPrimary && (this.tool?.press?.(this.pointer(event)) ?? false);
+    this.first = event;
+    this.taken = event.button === 0 && (this.tool?.press?.(this.pointer(event)) ?? false);
     this.controls.enabled = !this.taken;
     if (this.taken) this.canvas.setPointerCapture(event.pointerId);
     this.invalidate();
+  }
+
+  /** A second finger turns and zooms, together with the first: what that one began is given up, and the controls hear of it late. */
+  private handOver(): void {
+    const { first } = this;
+    if (!this.taken || !first) return;
+    this.tool?.cancel?.();
+    this.taken = false;
+    this.controls.enabled = true;
+    this.isHandingOver = true;
+    this.canvas.dispatchEvent(new PointerEvent("pointerdown", { pointerId: first.pointerId, pointerType: first.pointerType, clientX: first.clientX, clientY: first.clientY, isPrimary: true, button: 0, buttons: 1, bubbles: true }));
+    this.isHandingOver = false;
+    this.moved = Infinity; // no click comes of it
   }
 
   private move(event: PointerEvent): void {
@@ -131,7 +150,7 @@ export class Viewport {
       return;
     }
     this.moved = Math.max(this.moved, this.pressedAt.distanceTo(new Vector2(event.clientX, event.clientY)));
-    if (!this.taken || this.moved < kClick_px) return;
+    if (!this.taken || !event.isPrimary || this.moved < kClick_px) return;
     const events = event.getCoalescedEvents?.() ?? [];
     this.tool?.drag?.((events.length > 0 ? events : [event]).map((one) => this.pointer(one)));
     this.invalidate();
