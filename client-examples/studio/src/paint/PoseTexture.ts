@@ -36,7 +36,7 @@ export class PoseTexture {
    */
   set(pictures: number, joints: number, matrices: Float32Array): void {
     const numbers = 4 * kRows * pictures * joints;
-    if (matrices.length < numbers) throw new RangeError(`${pictures} pictures of ${joints} joints have ${numbers} numbers, not ${matrices.length}`);
+    if (matrices.length < numbers) throw new RangeError(`${pictures} × ${joints} poses have ${numbers} numbers, not ${matrices.length}`);
     const { poses, poseJoints, posePictures } = this.uniforms;
     const { width, height } = poses.value.image as { width: number; height: number };
     if (kRows * pictures * joints > width * height) {

@@ -53,8 +53,10 @@ export class Stage {
   /** The ball in which shadows are cast; metres. */
   lightUp(center: readonly [number, number, number], radius: number): void {
     this.#sun.target.position.set(...center);
-    Object.assign(this.#sun.shadow.camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: kSunDistance - 2 * radius, far: kSunDistance + 2 * radius });
-    this.#sun.shadow.camera.updateProjectionMatrix();
+    const { camera } = this.#sun.shadow;
+    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius });
+    Object.assign(camera, { near: Math.max(0.01, kSunDistance - 2 * radius), far: kSunDistance + 2 * radius });
+    camera.updateProjectionMatrix();
   }
 
   /** @param width, height  CSS pixels of the canvas; @param pixelRatio  of the screen */

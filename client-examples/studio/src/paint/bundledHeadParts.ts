@@ -27,6 +27,9 @@ export const kFaceBox: readonly [number, number, number, number] = [
   (kFace.y + kFace.half[1]) * kScale[1] + kPosition[1],
 ];
 
+/** Nothing is drawn on what lies farther back, metres in the hair's frame: the jaw, which is narrow enough for the cheeks' blush. */
+export const kFaceFront = 0.046;
+
 const axisOfNeck = (y: number): number => 0.03 + 0.1 * (y - 1.4);
 
 /** Cuts neck and chin to the widths that hair of these proportions is drawn for. */

@@ -30,7 +30,12 @@ function crossing(a: Corner, b: Corner, y: number): Corner {
  * @param column  how far the rim goes down
  * @param leftOut  whether a triangle is, by its middle and normal
  */
-export function cutBelow(geometry: THREE.BufferGeometry, y: number, column: number, leftOut: (middle: Corner) => boolean = () => false): THREE.BufferGeometry {
+export function cutBelow(
+  geometry: THREE.BufferGeometry,
+  y: number,
+  column: number,
+  leftOut: (middle: Corner) => boolean = () => false,
+): THREE.BufferGeometry {
   const corners = cornersOf(geometry);
   const kept: Corner[] = [];
   const rim: [Corner, Corner][] = [];

@@ -14,14 +14,19 @@ function openLid(context: CanvasRenderingContext2D): void {
   context.bezierCurveTo(-76, -62, 60, -84, 88, -6);
 }
 
-function fillOval(context: CanvasRenderingContext2D, color: string | CanvasGradient, x: number, y: number, width: number, height: number, turn = 0): void {
+type Fill = string | CanvasGradient;
+
+function fillOval(context: CanvasRenderingContext2D, color: Fill, x: number, y: number, width: number, height: number, turn = 0): void {
   context.fillStyle = color;
   context.beginPath();
   context.ellipse(x, y, width, height, turn, 0, 2 * Math.PI);
   context.fill();
 }
 
-function strokeArc(context: CanvasRenderingContext2D, color: string, width: number, [x0, y0, x1, y1, x2, y2]: readonly [number, number, number, number, number, number]): void {
+/** Start, control point, end. */
+type Arc = readonly [number, number, number, number, number, number];
+
+function strokeArc(context: CanvasRenderingContext2D, color: string, width: number, [x0, y0, x1, y1, x2, y2]: Arc): void {
   context.strokeStyle = color;
   context.lineWidth = width;
   context.lineCap = context.lineJoin = "round";

@@ -9,12 +9,13 @@ const kAcross = [0.042, 0.066] as const; // from the middle: all changed to that
 const kBelow = [1.445, 1.456] as const;
 const kAbove = [1.572, 1.585] as const;
 const kDeep = 0.045; // behind the face: what lies deeper is the back of the head
-const kPlate = 0.004; // behind the face: the mouth's bag becomes a plate there, or one would see through where the lips part
+const kPlate = 0.002; // behind the face: the mouth's bag becomes a plate there, or one would see through where the lips part
 const kStep = 1e-4; // for slopes
 
 function depthAt(x: number, y: number): number {
   const [u, t] = [x * x, y - 1.5];
-  const face = kFit.one + t * (kFit.t + t * (kFit.tt + t * kFit.ttt)) + u * (kFit.u + t * (kFit.ut + t * kFit.utt) + u * (kFit.uu + t * kFit.uut));
+  const middle = kFit.one + t * (kFit.t + t * (kFit.tt + t * kFit.ttt));
+  const face = middle + u * (kFit.u + t * (kFit.ut + t * kFit.utt) + u * (kFit.uu + t * kFit.uut));
   const high = (y - kNose.tip) / (y > kNose.tip ? kNose.above : kNose.below);
   return face + kNose.height * Math.exp(-u / kNose.half ** 2 - high * high);
 }

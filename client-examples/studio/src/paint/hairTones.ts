@@ -24,7 +24,10 @@ interface Mixture {
 
 // Degrees that the hue turns in the deep shade, by hue: on the shorter way to violet, yellow by orange, green by blue. Read off palettes
 // that were mixed by hand (rose, teal, gold, violet, auburn); the rest lies between.
-const kTurns = [[0, -7], [45, -16], [87, -24], [106, -22], [118, 14], [145, 22], [200, 28], [245, 16], [285, 0], [330, -5], [360, -7]] as const;
+const kTurns = [
+  ...([[0, -7], [45, -16], [87, -24], [106, -22]] as const),
+  ...([[118, 14], [145, 22], [200, 28], [245, 16], [285, 0], [330, -5], [360, -7]] as const),
+];
 const kSteps = { middle: 0.12, dark: 0.245 }; // of lightness below the light tone
 const kDim = 0.6; // lightness under which the steps get smaller
 const kGrey = 0.085; // chroma under which shade borrows violet

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import headUrl from "../../../../tests/data/heads/mpfb_head_base.glb?url";
-import { bundledHeadParts, kFaceBox } from "./bundledHeadParts";
+import { bundledHeadParts, kFaceBox, kFaceFront } from "./bundledHeadParts";
 import { drawFace, type FaceLook } from "./drawFace";
 import { hairTones } from "./hairTones";
 import { outlineMaterial } from "./outlineMaterial";
@@ -37,7 +37,7 @@ export async function loadBundledHead(): Promise<PaintedHead> {
   drawFace(face, { iris: kIris, brow: start[0] });
   const texture = new THREE.CanvasTexture(face.canvas);
   texture.anisotropy = 4;
-  const skin = toonMaterial({ tones, light, decal: { texture, box: kFaceBox } });
+  const skin = toonMaterial({ tones, light, decal: { texture, box: kFaceBox, front: kFaceFront } });
   const scalp = toonMaterial({ tones: start, light });
   const line = outlineMaterial(kSkin.line, kSkin.pixels, kLineBehind);
   const group = new THREE.Group();

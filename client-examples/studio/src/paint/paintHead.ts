@@ -86,7 +86,9 @@ export function paintHead(object: THREE.Object3D): PaintedHead {
     setScalpTones() {}, // its scalp is its own
     dispose() {
       group.traverse((node) => node instanceof THREE.Mesh && (node.geometry as THREE.BufferGeometry).dispose());
-      for (const { uniforms } of paints.values()) for (const name of ["ramp", "map"]) (uniforms[name]?.value as THREE.Texture | undefined)?.dispose();
+      for (const { uniforms } of paints.values()) {
+        for (const name of ["ramp", "map"]) (uniforms[name]?.value as THREE.Texture | undefined)?.dispose();
+      }
       for (const material of [...paints.values(), line, surface.material as THREE.Material]) material.dispose();
       surface.geometry.dispose();
     },

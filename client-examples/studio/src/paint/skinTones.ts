@@ -13,8 +13,9 @@ const kSkin = { hue: [15, 85], chroma: [0.012, 0.12], lightness: 0.4 } as const;
  */
 export function skinTones(color: string): readonly [string, string, string] {
   const { lightness, chroma, hue } = toOklch(color);
-  const isSkin = hue > kSkin.hue[0] && hue < kSkin.hue[1] && chroma > kSkin.chroma[0] && chroma < kSkin.chroma[1] && lightness > kSkin.lightness;
+  const within = (value: number, [low, high]: readonly [number, number]): boolean => value > low && value < high;
+  const isSkin = within(hue, kSkin.hue) && within(chroma, kSkin.chroma) && lightness > kSkin.lightness;
   if (!isSkin) return hairTones(color).tones;
-  const shade = (by: (typeof kShade)[number]): string => fromOklch({ lightness: lightness + by.lightness, chroma: chroma + by.chroma, hue: by.hue });
-  return [shade(kShade[0]), shade(kShade[1]), color];
+  const [dark, middle] = kShade.map((by) => fromOklch({ lightness: lightness + by.lightness, chroma: chroma + by.chroma, hue: by.hue }));
+  return [dark!, middle!, color];
 }

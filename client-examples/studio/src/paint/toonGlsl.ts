@@ -57,6 +57,7 @@ export const kToonFragment = /* glsl */ `
   #ifdef DECAL
     uniform sampler2D decal;   // laid on from the front
     uniform vec4 decalBox;     // left, bottom, right, top, metres
+    uniform float decalFront;  // what lies behind that (z, metres) gets none
   #endif
   #ifdef MAPPED
     uniform sampler2D map;
@@ -90,7 +91,8 @@ export const kToonFragment = /* glsl */ `
       color *= own_color.rgb;
     #endif
     // The band is widest where a tuft faces the eye and runs out at its edges, so that it breaks up into strokes.
-    float facing = clamp(dot(normalize(vNormal), normalize(-vView)), 0.0, 1.0);
+    vec3 eye = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-vView);
+    float facing = clamp(dot(normalize(vNormal), eye), 0.0, 1.0);
     float height = dot(normalize(mix(own, head, 0.72)), vec3(0.0, 1.0, 0.0));
     float width = band.y * smoothstep(0.55, 1.0, facing);
     float inside = edge(0.0, width - abs(height - band.x));
@@ -98,7 +100,7 @@ export const kToonFragment = /* glsl */ `
     #ifdef DECAL
       vec2 at = (vModel.xy - decalBox.xy) / (decalBox.zw - decalBox.xy);
       vec4 drawn = texture2D(decal, at);
-      if (own.z > 0.35 && vModel.z > center.z && at == clamp(at, 0.0, 1.0)) color = mix(color, drawn.rgb * mix(0.86, 1.0, bright), drawn.a);
+      if (own.z > 0.35 && vModel.z > decalFront && at == clamp(at, 0.0, 1.0)) color = mix(color, drawn.rgb * mix(0.86, 1.0, bright), drawn.a);
     #endif
     // Half of the accent: the tones must stay readable.
     color = mix(color, highlightColor, 0.5 * highlight);

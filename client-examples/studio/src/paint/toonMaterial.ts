@@ -2,6 +2,15 @@ import * as THREE from "three";
 import { rampTexture } from "./rampTexture";
 import { kToonFragment, kToonVertex } from "./toonGlsl";
 
+/** A picture laid on from the front (+Z), in the world's frame, metres. Whoever made the texture disposes of it. */
+export interface Decal {
+  readonly texture: THREE.Texture;
+  /** Left, bottom, right, top. */
+  readonly box: readonly [number, number, number, number];
+  /** What lies farther back than this z gets none. */
+  readonly front: number;
+}
+
 export interface ToonOptions {
   /** Three CSS colors, darkest first. */
   readonly tones: readonly string[];
@@ -13,8 +22,7 @@ export interface ToonOptions {
   readonly roundness?: number;
   /** Of the head, world space. */
   readonly center?: readonly [number, number, number];
-  /** A picture laid on from the front; left, bottom, right, top of its box in the world, metres. The caller disposes of it. */
-  readonly decal?: { readonly texture: THREE.Texture; readonly box: readonly [number, number, number, number] };
+  readonly decal?: Decal;
   /** Multiplies the tones; drawn where its alpha is over one half. The caller disposes of it. */
   readonly map?: THREE.Texture;
   /** Towards the light: right, up, towards the eye. */
@@ -27,7 +35,8 @@ export interface ToonOptions {
  * The light keeps its place before the eye in every view. Free it with dispose(), and its ramp with `uniforms.ramp.value.dispose()`.
  */
 export function toonMaterial(options: ToonOptions): THREE.ShaderMaterial {
-  const { tones, shine = "#ffffff", band = [0, 0], roundness = 0, center = [0, 0, 0], decal, map, light = [0.45, 0.8, 0.6], side = THREE.FrontSide } = options;
+  const { tones, shine = "#ffffff", band = [0, 0], roundness = 0, center = [0, 0, 0], decal, map } = options;
+  const { light = [0.45, 0.8, 0.6], side = THREE.FrontSide } = options;
   const defines: Record<string, string> = {};
   const uniforms: Record<string, THREE.IUniform> = {
     ...THREE.UniformsUtils.clone(THREE.UniformsLib.lights),
@@ -45,6 +54,7 @@ export function toonMaterial(options: ToonOptions): THREE.ShaderMaterial {
     defines["DECAL"] = "";
     uniforms["decal"] = { value: decal.texture };
     uniforms["decalBox"] = { value: new THREE.Vector4(...decal.box) };
+    uniforms["decalFront"] = { value: decal.front };
   }
   if (map) {
     map.updateMatrix();

@@ -43,22 +43,28 @@ export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
   const firstJoint = { value: 0 };
   const highlight = { value: 0 };
   const opacity = { value: 1 };
-  const { poses, poseJoints, posePictures, picture, ramp, shine, line, band, roundness, center, light, highlightColor, pixel, pixels, behind } = shared;
+  const { poses, poseJoints, posePictures, picture, ramp, shine, line, band, roundness, center, light, highlightColor } = shared;
   const posing = { poses, poseJoints, posePictures, picture, firstJoint, opacity };
+  const accent = { highlightColor, highlight };
   const defines = { POSED: "" };
   const toon = new THREE.ShaderMaterial({
     vertexShader: kToonVertex,
     fragmentShader: kToonFragment,
     lights: true,
     defines,
-    uniforms: { ...THREE.UniformsUtils.clone(THREE.UniformsLib.lights), ...posing, ramp, shine, band, roundness, center, light, highlightColor, highlight },
+    uniforms: {
+      ...THREE.UniformsUtils.clone(THREE.UniformsLib.lights),
+      ...posing,
+      ...accent,
+      ...{ ramp, shine, band, roundness, center, light },
+    },
   });
   const outline = new THREE.ShaderMaterial({
     vertexShader: kOutlineVertex,
     fragmentShader: kOutlineFragment,
     side: THREE.BackSide,
     defines,
-    uniforms: { ...posing, line, pixel, pixels, behind, highlightColor, highlight },
+    uniforms: { ...posing, ...accent, line, pixel: shared.pixel, pixels: shared.pixels, behind: shared.behind },
   });
   const plain = { vertexShader: kDepthVertex, fragmentShader: kDepthFragment, defines };
   const depth = new THREE.ShaderMaterial({ ...plain, uniforms: { ...posing, shadow: { value: true } } });
