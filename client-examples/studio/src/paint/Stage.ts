@@ -41,7 +41,7 @@ export class Stage {
     this.scene.add(this.#sun, this.#sun.target);
   }
 
-  /** Whether shadows are cast. On slow machines, off halves the time of a frame. */
+  /** Whether shadows are cast. Without them a frame of 204 tufts takes a quarter less (software rendering). */
   get shadows(): boolean {
     return this.#sun.castShadow;
   }
@@ -109,6 +109,7 @@ export class Stage {
     camera.updateMatrixWorld();
     const towards = new THREE.Vector3(...kSun).normalize().transformDirection(camera.matrixWorld);
     this.#sun.position.copy(this.#sun.target.position).addScaledVector(towards, kSunDistance);
+    // Tufts are not sorted, nearest first: tried 2026-11-26, 204 tufts took as long (1.08 s and 1.07 s, busy machine, software).
     this.scene.traverse((node) => {
       if (!(node instanceof THREE.Mesh) || !(node.material instanceof THREE.ShaderMaterial)) return;
       const pixel: unknown = node.material.uniforms["pixel"]?.value;

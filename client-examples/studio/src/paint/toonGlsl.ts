@@ -72,9 +72,11 @@ export const kToonFragment = /* glsl */ `
     return clamp((value - at) / clamp(fwidth(value), 1e-5, 0.04) + 0.5, 0.0, 1.0);
   }
 
-  vec3 toneAt(float lit) {
-    vec3 tone = mix(texelFetch(ramp, ivec2(0, 0), 0).rgb, texelFetch(ramp, ivec2(1, 0), 0).rgb, edge(1.0 / 3.0, lit));
-    return mix(tone, texelFetch(ramp, ivec2(2, 0), 0).rgb, edge(2.0 / 3.0, lit));
+  vec3 toneAt(float lit, float sun) {
+    vec3 dark = texelFetch(ramp, ivec2(0, 0), 0).rgb;
+    vec3 middle = texelFetch(ramp, ivec2(1, 0), 0).rgb;
+    vec3 light = texelFetch(ramp, ivec2(2, 0), 0).rgb;
+    return mix(mix(dark, middle, edge(1.0 / 3.0, lit)), light, sun * edge(2.0 / 3.0, lit));
   }
 
   void main() {
@@ -83,7 +85,7 @@ export const kToonFragment = /* glsl */ `
     vec3 n = normalize(mix(own, head, roundness));
     float lit = 0.5 + 0.5 * dot((viewMatrix * vec4(n, 0.0)).xyz, normalize(light));
     float sun = getShadowMask();
-    vec3 color = mix(toneAt(min(lit, 0.4)), toneAt(lit), sun);
+    vec3 color = toneAt(lit, sun); // in a shadow, no light
     float bright = sun * edge(0.45, lit);
     #ifdef MAPPED
       vec4 own_color = texture2D(map, vAt);
