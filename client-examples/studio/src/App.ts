@@ -22,6 +22,8 @@ import { appText } from "./text/appText";
 import { language } from "./text/language";
 import { motionText } from "./text/motionText";
 import { panelText } from "./text/panelText";
+import { takeAwayText } from "./text/takeAwayText";
+import { TakeAwayDialog } from "./take_away/TakeAwayDialog";
 import { iconButton } from "./widgets/iconButton";
 import "./app.css";
 
@@ -38,6 +40,7 @@ export class App {
   private transport: Transport | null = null;
   private panel: Panel | null = null;
   private endings: (() => void)[] = [];
+  private takeAwayDialog: TakeAwayDialog | null = null;
 
   constructor(readonly studio: Studio, head: PaintedHead) {
     this.preview = new FillPreview(studio);
@@ -60,10 +63,16 @@ export class App {
     helpDialog(language.value).show();
   }
 
+  /** Asks what to take away of the hairstyle. */
+  takeAway(): void {
+    this.takeAwayDialog?.show();
+  }
+
   private build(): void {
     for (const end of this.endings) end();
     this.endings = [];
     document.title = this.words.title;
+    this.takeAwayDialog = new TakeAwayDialog(this.studio, this.stage, takeAwayText[language.value]);
     this.element.replaceChildren(this.topBar(), element("main", { className: "workspace" }, this.modeBar(), this.stageArea(), this.panelArea()), this.timeline());
   }
 
@@ -83,6 +92,7 @@ export class App {
       element("div", { className: "bar-group" }, undo, redo),
       element("div", { className: "bar-group" },
         iconButton("fresh", words.fresh, () => studio.edit(() => newDocument()), { shows_name: true }),
+        iconButton("save", words.takeAway, () => this.takeAway(), { shows_name: true, shortcut: "Ctrl+S" }),
       ),
       element("div", { className: "bar-space" }),
       element("div", { className: "bar-group" },

@@ -16,6 +16,7 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
     if (key === "z" && event.shiftKey) studio.history.redo();
     else if (key === "z") studio.history.undo();
     else if (key === "y") studio.history.redo();
+    else if (key === "s" && !event.shiftKey) app.takeAway();
     else if (key === "d" && !writes) copySelected(app, false);
     else return;
     event.preventDefault();

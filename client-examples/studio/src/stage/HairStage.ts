@@ -1,4 +1,4 @@
-import { Vector3, type Ray } from "three";
+import { Vector3, type Group, type Ray } from "three";
 import { Signal } from "../base/Signal";
 import type { FillPreview } from "../fill/FillPreview";
 import { HairView } from "../hair/HairView";
@@ -91,6 +91,11 @@ export class HairStage implements Scene {
     this.viewport.stage.lightUp(middle.toArray(), kLit * scale);
     this.viewport.home = { middle: middle.add(new Vector3(0, kMiddle * scale, 0)), height: kHeight * scale };
     this.viewport.look(view);
+  }
+
+  /** What is drawn of the head. */
+  get headGroup(): Group {
+    return this.painted.group;
   }
 
   private setColor(color: string): void {

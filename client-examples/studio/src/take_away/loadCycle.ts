@@ -1,0 +1,18 @@
+import type { HairstyleAnswer, Schedule } from "../api/contract";
+import type { LoadedHair } from "../hair/HairLoader";
+import { poseMatrices } from "../hair/poseMatrices";
+import { toHairstyle } from "../model/toHairstyle";
+import type { Studio } from "../Studio";
+
+/** The hair with every picture of its cycle, and their schedule, whatever the page shows. @throws as Service does */
+export async function loadCycle(studio: Studio, signal: AbortSignal): Promise<{ readonly hair: LoadedHair; readonly schedule: Schedule }> {
+  const { document, service, loader } = studio;
+  const [meshes, { pictures, schedule }] = await Promise.all([
+    loader.cache.load(document.tufts, document.head, signal),
+    service.json<HairstyleAnswer>("/v1/hairstyles", { body: toHairstyle(document), query: { format: "json" }, signal }),
+  ]);
+  if (!pictures || !schedule) throw new Error("a hairstyle that does not move has no cycle");
+  const rests = meshes.map(({ rest }) => rest);
+  const limited = { pictures: pictures.length, joints: rests.reduce((sum, rest) => sum + rest.length / 3, 0), matrices: poseMatrices(pictures, rests) };
+  return { hair: { tufts: document.tufts, meshes, limited, smooth: null }, schedule };
+}
