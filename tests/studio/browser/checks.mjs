@@ -1,0 +1,21 @@
+import { answersAtOnce } from "./checks/answersAtOnce.mjs";
+import { capturesCycle } from "./checks/capturesCycle.mjs";
+import { drawsFreehand } from "./checks/drawsFreehand.mjs";
+import { drawsPointByPoint } from "./checks/drawsPointByPoint.mjs";
+import { fillsGap } from "./checks/fillsGap.mjs";
+import { fitsAndSpeaks } from "./checks/fitsAndSpeaks.mjs";
+import { goesOnAlone } from "./checks/goesOnAlone.mjs";
+import { isAccessible } from "./checks/isAccessible.mjs";
+import { keepsItself } from "./checks/keepsItself.mjs";
+import { managesTufts } from "./checks/managesTufts.mjs";
+import { plays } from "./checks/plays.mjs";
+import { shapesPoints } from "./checks/shapesPoints.mjs";
+import { showsProblem } from "./checks/showsProblem.mjs";
+import { undoesEverything } from "./checks/undoesEverything.mjs";
+import { worksByKeys } from "./checks/worksByKeys.mjs";
+
+/** All checks, in the order in which they run. */
+export const checks = [
+  drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself,
+  showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
+];
