@@ -17,13 +17,17 @@ export class StudioPage {
     await this.settle();
   }
 
+  /** Waits until what has changed is drawn. */
+  frames() {
+    return this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
   /** Waits until all that was asked for is loaded and drawn. */
   async settle() {
-    const frames = () => this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-    await frames();
+    await this.frames();
     for (;;) {
       await until("an end of loading", () => this.watch.isQuiet, 20_000);
-      await frames();
+      await this.frames();
       if (this.watch.isQuiet) return;
     }
   }
@@ -99,12 +103,14 @@ export class StudioPage {
 
   /** Where the handles of a kind are in the window, in their order. */
   async handles(kind) {
+    await this.frames();
     const boxes = await this.page.locator(`.handle-${kind}`).evaluateAll((all) => all.map((one) => one.getBoundingClientRect()));
     return boxes.map(({ x, y, width, height }) => [x + width / 2, y + height / 2]);
   }
 
   /** Places of the window along the line of a selected tuft. */
-  linePlaces(number = 0) {
+  async linePlaces(number = 0) {
+    await this.frames();
     return this.page.locator(".line-stroke").nth(number).evaluate((line) => {
       const { left, top } = line.ownerSVGElement.getBoundingClientRect();
       return [...line.points].map(({ x, y }) => [x + left, y + top]);

@@ -119,7 +119,7 @@ export class HairView {
     let nearest: number | null = null;
     let closest = Infinity;
     for (const { id, mesh } of this.limited.meshes) {
-      mesh.geometry.boundsTree ??= new MeshBVH(mesh.geometry);
+      mesh.geometry.boundsTree ??= new MeshBVH(mesh.geometry, { indirect: true }); // tufts of equal make share their indices
       mesh.raycast = acceleratedRaycast;
       const [hit] = this.raycaster.intersectObject(mesh, false);
       if (!hit || hit.distance >= closest) continue;
