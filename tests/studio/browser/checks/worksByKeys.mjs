@@ -26,9 +26,8 @@ export async function worksByKeys({ open }) {
     assert.equal(await page.locator('.mode[aria-pressed="true"]').textContent(), name);
     if (name === "Shape") await studio.row("left").focus();
     if (name === "Shape") await studio.press("Enter");
-    await page.evaluate(() => document.activeElement.blur());
-    await page.mouse.move(0, 0);
     await studio.settle();
+    while (await focused(page)) await studio.press("Tab"); // past the end, from where it begins anew
     const count = await usable(page);
     const reached = [];
     for (;;) {
