@@ -1,9 +1,13 @@
 import { element } from "./base/element";
+import { Bringing } from "./bring/Bringing";
+import { bringNotice } from "./bring/bringNotice";
+import { broughtLabel } from "./bring/broughtLabel";
+import { DropTarget } from "./bring/DropTarget";
+import { openButton } from "./bring/openButton";
 import { theme, type Theme } from "./base/theme";
 import { Autosave } from "./keep/Autosave";
 import { FillPreview } from "./fill/FillPreview";
 import { helpDialog } from "./help/helpDialog";
-import { newDocument } from "./model/newDocument";
 import { ExposureSheet } from "./motion/ExposureSheet";
 import { Player } from "./motion/Player";
 import { Transport } from "./motion/Transport";
@@ -26,6 +30,7 @@ import { takeAwayText } from "./text/takeAwayText";
 import { TakeAwayDialog } from "./take_away/TakeAwayDialog";
 import { iconButton } from "./widgets/iconButton";
 import "./app.css";
+import "./bring/bring.css";
 
 const kModes: readonly Mode[] = ["draw", "shape", "fill", "move"];
 const kThemes: readonly Theme[] = ["system", "light", "dark"];
@@ -35,6 +40,7 @@ export class App {
   readonly element = element("div", { className: "app" });
   readonly stage: HairStage;
   readonly player = new Player();
+  readonly bring: Bringing;
   private readonly preview: FillPreview;
   private readonly fields = new Fields();
   private transport: Transport | null = null;
@@ -46,6 +52,7 @@ export class App {
     this.preview = new FillPreview(studio);
     this.stage = new HairStage(studio, this.preview, this.player, head);
     new Autosave(studio);
+    this.bring = new Bringing(studio, this.stage);
     language.follow(() => this.build());
     window.addEventListener("keydown", (event) => shortcuts(event, this));
   }
@@ -91,7 +98,8 @@ export class App {
       element("h1", {}, "Tuftwave"), name,
       element("div", { className: "bar-group" }, undo, redo),
       element("div", { className: "bar-group" },
-        iconButton("fresh", words.fresh, () => studio.edit(() => newDocument()), { shows_name: true }),
+        iconButton("fresh", words.fresh, () => studio.edit(() => this.bring.fresh()), { shows_name: true }),
+        openButton(words.open, (file) => void this.bring.open(file)),
         iconButton("save", words.takeAway, () => this.takeAway(), { shows_name: true, shortcut: "Ctrl+S" }),
       ),
       element("div", { className: "bar-space" }),
@@ -135,7 +143,11 @@ export class App {
       problem.hidden = one === null || isShown;
       problem.replaceChildren(...(one ? [element("strong", {}, words.problem), element("p", {}, one.fields[0] ? `${one.fields[0].pointer}: ${one.fields[0].detail}` : one.message), iconButton("close", words.dismiss, () => (studio.problem.value = null))] : []));
     }));
-    return element("section", { className: "stage-area" }, stage.viewport.element, views, hint, labels, away, problem);
+    const notice = bringNotice(this.bring.message);
+    const brought = broughtLabel(this.bring);
+    const drop = new DropTarget(words.dropHere, (file) => void this.bring.open(file));
+    this.endings.push(notice.end, brought.end, () => drop.dispose());
+    return element("section", { className: "stage-area" }, stage.viewport.element, views, hint, labels, away, problem, brought.element, notice.element, drop.element);
   }
 
   private panelArea(): HTMLElement {

@@ -10,3 +10,4 @@ const studio = new Studio();
 const app = new App(studio, await loadBundledHead());
 document.querySelector("#studio")?.replaceWith(app.element);
 studio.load();
+await app.bring.restore();

@@ -12,6 +12,7 @@ export interface Viewport {
 
 const kSun = [0.45, 0.6, 0.85] as const; // right, up, towards the eye: low, so that a fringe leaves the eyes in the light
 const kSunDistance = 2; // metres
+const kNormalBias = 0.02; // of the radius in which shadows are cast
 const kShadowMap = 2048; // texels a side
 const kLineAt = 640; // pixels of a picture's height at which its lines are as wide as on the screen
 
@@ -35,7 +36,6 @@ export class Stage {
     this.#renderer.shadowMap.type = THREE.BasicShadowMap;
     this.#sun.castShadow = true;
     this.#sun.shadow.mapSize.set(kShadowMap, kShadowMap);
-    this.#sun.shadow.normalBias = 0.006;
     this.#sun.shadow.bias = -0.001;
     this.lightUp([0, 0, 0], 0.3);
     this.scene.add(this.#sun, this.#sun.target);
@@ -56,6 +56,7 @@ export class Stage {
     const { camera } = this.#sun.shadow;
     Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius });
     Object.assign(camera, { near: Math.max(0.01, kSunDistance - 2 * radius), far: kSunDistance + 2 * radius });
+    this.#sun.shadow.normalBias = kNormalBias * radius;
     camera.updateProjectionMatrix();
   }
 

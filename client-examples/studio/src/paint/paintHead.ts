@@ -1,42 +1,17 @@
 import * as THREE from "three";
+import type { HeadBall } from "../model/HeadBall";
 import { bakedGeometry } from "./bakedGeometry";
-import { skinTones } from "./skinTones";
-import { outlineMaterial } from "./outlineMaterial";
+import { cornersWithin } from "./cornersWithin";
 import { outlineOf } from "./outlineOf";
 import type { PaintedHead } from "./PaintedHead";
-import { kSkin } from "./skinPaint";
+import { Palette } from "./Palette";
 import { surfaceOf } from "./surfaceOf";
-import { toonMaterial } from "./toonMaterial";
-import { toOklch } from "./toOklch";
+import { thinnedMesh } from "./thinnedMesh";
 import { weldedMesh } from "./weldedMesh";
 
-const kTints = ["#c3aebf", "#dfd0da", "#ffffff"] as const; // multiply a picture
-const kLineBehind = 0.004; // metres
-const kGrey = 0.02; // chroma; what has less and is light is a default, not a choice
-const kLight = 0.4; // lightness
-
-/** What a file says of a material's base color; null where it says nothing. */
-interface BaseColor {
-  readonly map: THREE.Texture | null;
-  readonly color: string | null;
-  readonly side: THREE.Side;
-}
-
-function baseColorOf(material: THREE.Material): BaseColor {
-  const { map, color } = material as Partial<Pick<THREE.MeshStandardMaterial, "map" | "color">>;
-  // Files have linear colors; the painter's are as on the screen.
-  const hex = color instanceof THREE.Color ? `#${color.clone().convertLinearToSRGB().getHexString(THREE.LinearSRGBColorSpace)}` : null;
-  const chosen = hex !== null && (toOklch(hex).chroma > kGrey || toOklch(hex).lightness < kLight);
-  return { map: map instanceof THREE.Texture ? map : null, color: chosen ? hex : null, side: material.side };
-}
-
-function paintOf({ map, color, side }: BaseColor): THREE.ShaderMaterial {
-  const { light } = kSkin;
-  if (!map) return toonMaterial({ tones: color ? skinTones(color) : kSkin.tones, light, side });
-  const shown = map.clone(); // as the file has its bytes: without a change of color space
-  shown.colorSpace = THREE.NoColorSpace;
-  return toonMaterial({ tones: kTints, light, side, map: shown });
-}
+const kLineBehind = 0.04; // of the head's radius
+const kScalp = 1.8; // of the head's radius: what is further away is no place for roots
+const kMostVertices = 200_000; // of a scalp, and as many triangles: the contract's
 
 /** The parts of a geometry that its materials paint: first corner and number of corners. */
 function rangesOf(mesh: THREE.Mesh): { material: THREE.Material; start: number; count: number }[] {
@@ -50,47 +25,52 @@ function rangesOf(mesh: THREE.Mesh): { material: THREE.Material; start: number; 
 }
 
 /**
- * A head from a file that a person brought, painted flat: pictures and colors stay, what has neither becomes skin, and all is outlined.
- * Bones and morphs are applied as they stand; nothing is moved or scaled. Hair may grow on all of it.
+ * A head from a file that a person brought, painted flat: pictures and colors stay, a file without any becomes skin, and all is outlined.
+ * Bones and morphs are applied as they stand; nothing is moved or scaled. Hair may grow on all that is near the head.
  * @param object  is left as it is and not disposed of
+ * @param ballOf  finds the head among corners (x, y, z of three for every triangle); without it, all is head
  * @throws RangeError if there is no triangle in it
  */
-export function paintHead(object: THREE.Object3D): PaintedHead {
+export function paintHead(object: THREE.Object3D, ballOf?: (corners: ArrayLike<number>) => HeadBall): PaintedHead {
   object.updateWorldMatrix(true, true);
   const group = new THREE.Group();
   const geometries: THREE.BufferGeometry[] = [];
-  const paints = new Map<THREE.Material, THREE.ShaderMaterial>();
-  const line = outlineMaterial(kSkin.line, kSkin.pixels, kLineBehind);
+  const palette = new Palette(object);
   object.traverseVisible((node) => {
     if (!(node instanceof THREE.Mesh)) return;
+    const ranges = rangesOf(node as THREE.Mesh).filter(({ material }) => palette.isSeen(material));
+    if (ranges.length === 0) return;
     const baked = bakedGeometry(node as THREE.Mesh);
     geometries.push(baked);
-    for (const { material, start, count } of rangesOf(node as THREE.Mesh)) {
+    for (const { material, start, count } of ranges) {
       const part = count === Infinity ? baked : baked.clone();
       if (part !== baked) part.setDrawRange(start, count);
-      const paint = paints.get(material) ?? paintOf(baseColorOf(material));
-      paints.set(material, paint);
-      const mesh = new THREE.Mesh(part, paint);
+      const mesh = new THREE.Mesh(part, palette.paint(material));
       mesh.castShadow = mesh.receiveShadow = true;
       group.add(mesh);
     }
-    group.add(outlineOf(new THREE.Mesh(baked), line));
+    if (ranges.every(({ material }) => palette.isOutlined(material))) group.add(outlineOf(new THREE.Mesh(baked), palette.line));
   });
   const surface = surfaceOf(geometries);
-  const scalp = weldedMesh(surface.geometry.getAttribute("position").array);
-  if (scalp.triangles.length === 0) throw new RangeError("there is no triangle in this file");
+  const free = (): void => {
+    group.traverse((node) => node instanceof THREE.Mesh && (node.geometry as THREE.BufferGeometry).dispose());
+    palette.dispose();
+    (surface.material as THREE.Material).dispose();
+    surface.geometry.dispose();
+  };
+  const corners = surface.geometry.getAttribute("position").array;
+  if (corners.length === 0) {
+    free();
+    throw new RangeError("there is no triangle in this file");
+  }
+  const ball = ballOf?.(corners);
+  palette.setBehind(kLineBehind * (ball?.radius ?? 0.1));
+  const scalp = thinnedMesh(weldedMesh(ball ? cornersWithin(corners, ball.center, kScalp * ball.radius) : corners), kMostVertices);
   return {
     group,
     surface,
     scalp,
     setScalpTones() {}, // its scalp is its own
-    dispose() {
-      group.traverse((node) => node instanceof THREE.Mesh && (node.geometry as THREE.BufferGeometry).dispose());
-      for (const { uniforms } of paints.values()) {
-        for (const name of ["ramp", "map"]) (uniforms[name]?.value as THREE.Texture | undefined)?.dispose();
-      }
-      for (const material of [...paints.values(), line, surface.material as THREE.Material]) material.dispose();
-      surface.geometry.dispose();
-    },
+    dispose: free,
   };
 }

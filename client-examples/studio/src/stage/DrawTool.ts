@@ -153,7 +153,7 @@ export class DrawTool implements Tool {
   }
 
   private get scale(): number {
-    return headScale(this.studio.document.head);
+    return headScale(this.scene.ball);
   }
 
   private newTuft(): Omit<Tuft, "points"> {

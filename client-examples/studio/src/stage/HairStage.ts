@@ -1,10 +1,11 @@
 import { Vector3, type Group, type Ray } from "three";
+import type { Vec3 } from "../api/contract";
 import { Signal } from "../base/Signal";
 import type { FillPreview } from "../fill/FillPreview";
 import { HairView } from "../hair/HairView";
 import type { Player } from "../motion/Player";
 import { hairTones } from "../paint/hairTones";
-import { headScale } from "../model/headScale";
+import type { HeadBall } from "../model/HeadBall";
 import type { PaintedHead } from "../paint/PaintedHead";
 import type { Mode, Studio } from "../Studio";
 import { language } from "../text/language";
@@ -12,17 +13,19 @@ import { stageText } from "../text/stageText";
 import { DrawTool } from "./DrawTool";
 import { FillTool } from "./FillTool";
 import { GhostView } from "./GhostView";
+import type { Guest } from "./Guest";
 import { HeadSurface } from "./HeadSurface";
 import type { Scene } from "./Scene";
 import { ShapeTool } from "./ShapeTool";
 import type { Tool } from "./Tool";
-import { Viewport, type View } from "./Viewport";
+import { Viewport } from "./Viewport";
 import { WindTool } from "./WindTool";
 
-// Metres, on a head of the bundled one's size.
-const kHeight = 0.46; // of the picture
-const kMiddle = -0.02; // of the picture, above the head's center
-const kLit = 0.3; // around the head
+const kBundled: HeadBall = { center: [0, 0, 0], radius: 0.1 };
+const kFront: Vec3 = [0, 0, 1];
+// Of the head's radius.
+const kShown = 4.6; // height of the scene
+const kBelow = 0.2; // the middle of the picture under the head's
 
 /** The picture with everything in it: the head, its hair, what may come, and the tool of the mode. */
 export class HairStage implements Scene {
@@ -35,9 +38,14 @@ export class HairStage implements Scene {
   readonly draw: DrawTool;
   private readonly ghost: GhostView;
   private readonly tools: Readonly<Record<Mode, Tool>>;
+  private guest: Guest | null = null;
+  private headBall = kBundled;
+  private front = kFront;
+  private lookedAt: Guest | PaintedHead;
 
   constructor(private readonly studio: Studio, preview: FillPreview, private readonly player: Player, private painted: PaintedHead) {
     const words = () => stageText[language.value];
+    this.lookedAt = painted;
     this.viewport = new Viewport(words().picture);
     studio.scalp.value = painted.scalp;
     this.head = new Signal(new HeadSurface(painted.surface));
@@ -48,7 +56,10 @@ export class HairStage implements Scene {
     this.tools = { draw: this.draw, shape: new ShapeTool(studio, this, words), fill: new FillTool(studio, this), move: new WindTool(studio, this, words) };
     this.viewport.onFrame = () => this.tick();
     this.viewport.onDraw = () => this.paint();
-    studio.mode.follow((mode) => this.viewport.use(this.tools[mode]));
+    studio.mode.follow((mode) => {
+      this.showSubject();
+      this.viewport.use(this.tools[mode]);
+    });
     studio.loader.hair.follow((hair) => {
       this.hair.show(hair);
       this.viewport.invalidate();
@@ -61,6 +72,7 @@ export class HairStage implements Scene {
     for (const signal of [studio.isOnion, studio.compares]) signal.changed(() => this.viewport.invalidate());
     let color = "";
     studio.history.current.follow((document) => {
+      this.hair.setCenter(document.head.center ?? [0, 0, 0]);
       if (document.color !== color) this.setColor((color = document.color));
     });
     language.changed(() => this.viewport.canvas.setAttribute("aria-label", words().picture));
@@ -71,26 +83,31 @@ export class HairStage implements Scene {
     return id === 0 ? null : id;
   }
 
-  /** Another head to draw on. */
-  setHead(painted: PaintedHead): void {
+  /** Another head to draw on; it is this stage's from now on. @param ball  where it is, if it is not the bundled one; @param front  where it looks */
+  setHead(painted: PaintedHead, ball: HeadBall = kBundled, front: Vec3 = kFront): void {
     this.viewport.stage.scene.remove(this.painted.group);
     this.painted.dispose();
     this.painted = painted;
+    this.headBall = ball;
+    this.front = front;
     this.studio.scalp.value = painted.scalp;
     this.viewport.stage.scene.add(painted.group);
     this.head.value = new HeadSurface(painted.surface);
     this.setColor(this.studio.document.color);
-    this.viewport.invalidate();
+    this.showSubject();
   }
 
-  /** The head of the document comes into the picture. @param view  from where */
-  frameHead(view: View = "quarter"): void {
-    const { head } = this.studio.document;
-    const scale = headScale(head);
-    const middle = new Vector3(...(head.center ?? [0, 0, 0]));
-    this.viewport.stage.lightUp(middle.toArray(), kLit * scale);
-    this.viewport.home = { middle: middle.add(new Vector3(0, kMiddle * scale, 0)), height: kHeight * scale };
-    this.viewport.look(view);
+  /** A character that is shown while things move; null is none. It stays with those who made it. */
+  setGuest(guest: Guest | null): void {
+    if (this.guest) this.viewport.stage.scene.remove(this.guest.group);
+    this.guest = guest;
+    if (guest) this.viewport.stage.scene.add(guest.group);
+    this.showSubject();
+    if (this.moves) this.viewport.use(this.tools.move);
+  }
+
+  get ball(): HeadBall {
+    return this.shownGuest?.ball ?? this.headBall;
   }
 
   /** What is drawn of the head. */
@@ -105,12 +122,30 @@ export class HairStage implements Scene {
     this.viewport.invalidate();
   }
 
+  private get shownGuest(): Guest | null {
+    return this.moves ? this.guest : null;
+  }
+
+  /** Shows the character or the head with its hair, and looks at it if something else was looked at before. */
+  private showSubject(): void {
+    const { shownGuest: guest, painted } = this;
+    if (this.guest) this.guest.group.visible = guest !== null;
+    for (const { group } of [painted, this.hair, this.ghost]) group.visible = guest === null;
+    this.viewport.invalidate();
+    if (this.lookedAt === (guest ?? painted)) return;
+    this.lookedAt = guest ?? painted;
+    const { center, radius } = this.ball;
+    const middle = guest?.middle ?? new Vector3(center[0], center[1] - kBelow * radius, center[2]);
+    this.viewport.setSubject(middle, guest?.height ?? kShown * radius, guest?.front ?? this.front, guest ? "front" : "quarter");
+    this.viewport.stage.lightUp([middle.x, middle.y, middle.z], guest ? guest.height / 2 : 3 * radius);
+  }
+
   private get moves(): boolean {
     return this.studio.mode.value === "move";
   }
 
   private get compares(): boolean {
-    return this.moves && this.studio.compares.value && this.studio.loader.hair.value.smooth !== null;
+    return this.moves && this.studio.compares.value && (this.shownGuest !== null || this.studio.loader.hair.value.smooth !== null);
   }
 
   /** Playback goes on. @return  whether there is something new to see */
@@ -127,13 +162,16 @@ export class HairStage implements Scene {
     overlay.element.style.visibility = this.compares ? "hidden" : "visible";
     if (!this.compares) {
       this.hair.showPicture(this.moves ? this.player.picture : null, this.studio.isOnion.value);
+      this.shownGuest?.showPicture(this.player.picture);
       stage.render(camera);
       return;
     }
     const half = { y: 0, width: size.width / 2, height: size.height };
     this.hair.showPicture(this.player.picture, this.studio.isOnion.value);
+    this.shownGuest?.showPicture(this.player.picture);
     stage.render(camera, { x: 0, ...half });
     this.hair.showSmooth(this.player.phase01);
+    this.shownGuest?.showSmooth(this.player.phase01);
     stage.render(camera, { x: half.width, ...half });
   }
 }

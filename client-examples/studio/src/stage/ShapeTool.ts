@@ -120,7 +120,7 @@ export class ShapeTool implements Tool {
   /** An arrow key as a way in the picture's plane. */
   private nudge({ key, shiftKey }: KeyboardEvent): Vector3 {
     const axis = new Vector3().setFromMatrixColumn(this.scene.viewport.camera.matrixWorld, key === "ArrowLeft" || key === "ArrowRight" ? 0 : 1);
-    return axis.multiplyScalar((key === "ArrowLeft" || key === "ArrowDown" ? -1 : 1) * kNudge * headScale(this.studio.document.head) * (shiftKey ? 5 : 1));
+    return axis.multiplyScalar((key === "ArrowLeft" || key === "ArrowDown" ? -1 : 1) * kNudge * headScale(this.scene.ball) * (shiftKey ? 5 : 1));
   }
 
   /** The place of the tuft's line nearest to the pointer, and which point it would be; null if none is near. */

@@ -9,6 +9,11 @@ import type { Tool } from "./Tool";
 const kClick_px = 5; // a press that moves less is a click
 const kTurn = Math.PI / 24; // per arrow key
 const kZoom = 1.1;
+const kHeight = 0.46; // metres of the scene that a new picture shows
+const kMiddle = new Vector3(0, -0.02, 0);
+const kNearest = 0.65; // of that height, from the eye; and so on
+const kFurthest = 17.4;
+const kClip = [0.11, 44] as const;
 
 /** Directions to look from, degrees right of the front and up. */
 export const kViews = { front: [0, 0], quarter: [-32, 6], left: [90, 0], right: [-90, 0], back: [180, 5], top: [0, 80] } as const;
@@ -25,8 +30,6 @@ export class Viewport {
   onFrame: () => boolean = () => false;
   /** Draws; the whole canvas by default. */
   onDraw: () => void = () => this.stage.render(this.camera);
-  /** What `look` brings into the picture: its middle, and how many metres are seen from top to bottom. */
-  home = { middle: new Vector3(0, -0.02, 0), height: 0.46 };
   private readonly controls: OrbitControls;
   private tool: Tool | null = null;
   private taken = false;
@@ -35,6 +38,8 @@ export class Viewport {
   private first: PointerEvent | null = null;
   private isHandingOver = false;
   private isStale = true;
+  /** What is looked at: its middle, how much of the scene around it is shown, and how far it is turned to the left, radians. */
+  private subject = { middle: kMiddle, height: kHeight, turn: 0 };
 
   /** @param name  what it is, for those who do not see it */
   constructor(name: string) {
@@ -72,16 +77,25 @@ export class Viewport {
     return { width: this.element.clientWidth, height: this.element.clientHeight };
   }
 
+  /**
+   * Something else to look at.
+   * @param height  of the scene that is shown, metres; null is as at the beginning
+   * @param front  where its face looks
+   */
+  setSubject(middle: Vector3 | null, height: number | null, front: readonly [number, number, number], view: View = "quarter"): void {
+    this.subject = { middle: middle ?? kMiddle, height: height ?? kHeight, turn: Math.atan2(front[0], front[2]) };
+    this.controls.minDistance = kNearest * this.subject.height;
+    this.controls.maxDistance = kFurthest * this.subject.height;
+    [this.camera.near, this.camera.far] = [kClip[0] * this.subject.height, kClip[1] * this.subject.height];
+    this.look(view);
+  }
+
   look(view: View): void {
     const [azimuth, elevation] = kViews[view];
-    const { middle, height } = this.home;
+    const { middle, height, turn } = this.subject;
     const distance = height / 2 / Math.tan((this.camera.fov * Math.PI) / 360);
     this.controls.target.copy(middle);
-    this.controls.minDistance = distance / 5;
-    this.controls.maxDistance = distance * 6;
-    this.camera.near = distance / 50;
-    this.camera.far = distance * 20;
-    this.camera.position.setFromSphericalCoords(distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180).add(middle);
+    this.camera.position.setFromSphericalCoords(distance, ((90 - elevation) * Math.PI) / 180, (azimuth * Math.PI) / 180 + turn).add(middle);
     this.controls.update();
     this.invalidate();
   }

@@ -27,7 +27,7 @@ export class WindTool implements Tool {
   }
 
   private get center(): Vector3 {
-    return new Vector3(...(this.studio.document.head.center ?? [0, 0, 0]));
+    return new Vector3(...this.scene.ball.center);
   }
 
   private get wind(): Vector3 {
@@ -35,7 +35,7 @@ export class WindTool implements Tool {
   }
 
   private get scale(): number {
-    return headScale(this.studio.document.head);
+    return headScale(this.scene.ball);
   }
 
   private show(): void {

@@ -1,0 +1,94 @@
+import type { CharacterChainsAnswer } from "../api/contract";
+import { ServiceAway } from "../api/ServiceAway";
+import { ServiceProblem } from "../api/ServiceProblem";
+import { Signal } from "../base/Signal";
+import { FileStore } from "../keep/FileStore";
+import type { HeadBall } from "../model/HeadBall";
+import { newDocument } from "../model/newDocument";
+import type { StudioDocument } from "../model/StudioDocument";
+import type { HairStage } from "../stage/HairStage";
+import type { Studio } from "../Studio";
+import type { BringMessage } from "./BringMessage";
+import type { BroughtHead } from "./BroughtHead";
+import { headBall } from "./headBall";
+import { headOf } from "./headOf";
+import { HeadShelf } from "./HeadShelf";
+import { kindOfFile } from "./kindOfFile";
+import { openHairstyle } from "./openHairstyle";
+import { paintBytes } from "./paintBytes";
+
+/** Files that a person brings: hairstyles are opened, heads are put under the hair, characters are shown. */
+export class Bringing {
+  /** What is to be said about the last file. */
+  readonly message = new Signal<BringMessage | null>(null);
+  readonly heads: HeadShelf;
+  private readonly files = new FileStore();
+  private running: AbortController | null = null;
+
+  constructor(private readonly studio: Studio, stage: HairStage) {
+    this.heads = new HeadShelf(studio, stage);
+    this.heads.shown.changed((head) => void this.keep("head", head));
+  }
+
+  /** Opens a file, whatever it is; what is there stays as it is if that fails. The last one that is opened wins. */
+  async open(file: File): Promise<void> {
+    this.running?.abort();
+    const running = new AbortController();
+    this.running = running;
+    const { name } = file;
+    this.message.value = { kind: "opening", name };
+    const message = await this.read(file, running.signal).catch((error: unknown): BringMessage => {
+      if (error instanceof ServiceProblem) return { kind: "refused", name, problem: error };
+      if (error instanceof ServiceAway) return { kind: "away", name };
+      if (error instanceof RangeError) return { kind: "empty", name };
+      return { kind: "unshown", name };
+    });
+    if (!running.signal.aborted) this.message.value = message;
+  }
+
+  /** Brings back what was there before a reload. */
+  async restore(): Promise<void> {
+    const head = await this.files.get<BroughtHead>("head");
+    if (!head) return;
+    this.heads.add(head);
+    this.heads.follow();
+  }
+
+  /** A new document, on the head that is shown. */
+  fresh(): StudioDocument {
+    const shown = this.heads.shown.value;
+    return shown ? { ...newDocument(), head: shown.head } : newDocument();
+  }
+
+  private async keep(place: string, file: { readonly name: string } | null): Promise<void> {
+    const isKept = await this.files.put(place, file);
+    if (!isKept && file) this.message.value = { kind: "notKept", name: file.name };
+  }
+
+  private async read(file: File, signal: AbortSignal): Promise<BringMessage | null> {
+    const { name } = file;
+    const bytes = await file.arrayBuffer();
+    const found = kindOfFile(bytes);
+    if (found.kind === "cut") return { kind: "cut", name };
+    if (found.kind === "unknown") return { kind: "unread", name };
+    if (found.kind === "hairstyle") {
+      const document = await openHairstyle(this.studio.service, found.hairstyle, name.replace(/\.[^.]*$/, ""), signal);
+      signal.throwIfAborted();
+      this.studio.edit(() => document);
+      return null;
+    }
+    const answer = await this.studio.service.json<CharacterChainsAnswer>("/v1/characters/chains", { body: bytes, signal });
+    await this.wear(name, bytes, answer, signal);
+    return null;
+  }
+
+  /** Puts what is in a file under the hair. */
+  private async wear(name: string, bytes: ArrayBuffer, { facing, head: known }: CharacterChainsAnswer, signal?: AbortSignal): Promise<void> {
+    let ball: HeadBall = { center: [0, 0, 0], radius: 1 };
+    const painted = await paintBytes(bytes, (corners) => (ball = headBall(corners, known?.center ?? null)));
+    if (signal?.aborted) return painted.dispose();
+    const brought = { name, bytes, ball, head: headOf(ball, facing) };
+    this.heads.add(brought, painted);
+    this.heads.wear(brought);
+  }
+}

@@ -1,0 +1,24 @@
+import * as THREE from "three";
+import type { BaseColor } from "./baseColorOf";
+import { hairTones } from "./hairTones";
+import { kSkin } from "./skinPaint";
+import { toonMaterial } from "./toonMaterial";
+
+const kTints = ["#c3aebf", "#dfd0da", "#ffffff"] as const; // multiply a picture
+
+function tinted(tint: string, color: string): string {
+  return `#${new THREE.Color(tint).multiply(new THREE.Color(color)).getHexString(THREE.LinearSRGBColorSpace)}`;
+}
+
+/**
+ * A material's base color in three tones, its picture kept. Disposing of the material does not dispose of its ramp and its picture:
+ * both are uniforms, `ramp` and `map`.
+ * @param isSkin  paint it like skin, whatever its color
+ */
+export function toonOf({ map, color, side }: BaseColor, isSkin: boolean): THREE.ShaderMaterial {
+  const { light } = kSkin;
+  if (!map) return toonMaterial({ tones: isSkin ? kSkin.tones : hairTones(color).tones, light, side });
+  const shown = map.clone(); // as the file has its bytes: without a change of color space
+  shown.colorSpace = THREE.NoColorSpace;
+  return toonMaterial({ tones: kTints.map((tint) => tinted(tint, color)), light, side, map: shown });
+}
