@@ -4,6 +4,7 @@ import { bringNotice } from "./bring/bringNotice";
 import { broughtLabel } from "./bring/broughtLabel";
 import { DropTarget } from "./bring/DropTarget";
 import { openButton } from "./bring/openButton";
+import { CharacterPanel } from "./character/CharacterPanel";
 import { theme, type Theme } from "./base/theme";
 import { Autosave } from "./keep/Autosave";
 import { FillPreview } from "./fill/FillPreview";
@@ -127,12 +128,13 @@ export class App {
     const away = element("p", { className: "stage-away", role: "status" });
     const problem = element("div", { className: "stage-problem", role: "alert" });
     const show = () => {
-      const isEmpty = studio.document.tufts.length === 0 && studio.drawn.value === null && !stage.draw.isClicking;
+      const hasGuest = studio.mode.value === "move" && this.bring.guest.character.value !== null;
+      const isEmpty = !hasGuest && studio.document.tufts.length === 0 && studio.drawn.value === null && !stage.draw.isClicking;
       hint.textContent = !isEmpty ? "" : studio.mode.value === "draw" ? words.hintEmpty : words.hintMove;
       hint.hidden = !isEmpty;
       labels.hidden = !(studio.mode.value === "move" && studio.compares.value);
     };
-    for (const signal of [studio.history.current, studio.mode, studio.drawn, studio.compares]) this.endings.push(signal.changed(show));
+    for (const signal of [studio.history.current, studio.mode, studio.drawn, studio.compares, this.bring.guest.character]) this.endings.push(signal.changed(show));
     show();
     this.endings.push(studio.service.isHere.follow((isHere) => {
       away.textContent = isHere ? "" : words.away;
@@ -144,7 +146,7 @@ export class App {
       problem.replaceChildren(...(one ? [element("strong", {}, words.problem), element("p", {}, one.fields[0] ? `${one.fields[0].pointer}: ${one.fields[0].detail}` : one.message), iconButton("close", words.dismiss, () => (studio.problem.value = null))] : []));
     }));
     const notice = bringNotice(this.bring.message);
-    const brought = broughtLabel(this.bring);
+    const brought = broughtLabel(studio, this.bring);
     const drop = new DropTarget(words.dropHere, (file) => void this.bring.open(file));
     this.endings.push(notice.end, brought.end, () => drop.dispose());
     return element("section", { className: "stage-area" }, stage.viewport.element, views, hint, labels, away, problem, brought.element, notice.element, drop.element);
@@ -170,7 +172,7 @@ export class App {
     if (mode === "draw") return new DrawPanel(this.studio, words, this.fields);
     if (mode === "shape") return new ShapePanel(this.studio, words, this.fields);
     if (mode === "fill") return new FillPanel(this.studio, this.preview, words, this.fields);
-    return new MovePanel(this.studio, this.stage.picture, words, this.fields);
+    return new CharacterPanel(this.bring, new MovePanel(this.studio, this.stage.picture, words, this.fields));
   }
 
   private timeline(): HTMLElement {

@@ -2,6 +2,9 @@ import type { CharacterChainsAnswer } from "../api/contract";
 import { ServiceAway } from "../api/ServiceAway";
 import { ServiceProblem } from "../api/ServiceProblem";
 import { Signal } from "../base/Signal";
+import type { BroughtCharacter } from "../character/BroughtCharacter";
+import { CharacterGuest } from "../character/CharacterGuest";
+import { firstChosen } from "../character/firstChosen";
 import { FileStore } from "../keep/FileStore";
 import type { HeadBall } from "../model/HeadBall";
 import { newDocument } from "../model/newDocument";
@@ -22,11 +25,14 @@ export class Bringing {
   /** What is to be said about the last file. */
   readonly message = new Signal<BringMessage | null>(null);
   readonly heads: HeadShelf;
+  readonly guest: CharacterGuest;
   private readonly files = new FileStore();
   private running: AbortController | null = null;
 
   constructor(private readonly studio: Studio, stage: HairStage) {
     this.heads = new HeadShelf(studio, stage);
+    this.guest = new CharacterGuest(studio, stage);
+    this.guest.character.changed((character) => void this.keep("character", character));
     this.heads.shown.changed((head) => void this.keep("head", head));
   }
 
@@ -49,9 +55,27 @@ export class Bringing {
   /** Brings back what was there before a reload. */
   async restore(): Promise<void> {
     const head = await this.files.get<BroughtHead>("head");
-    if (!head) return;
-    this.heads.add(head);
-    this.heads.follow();
+    if (head) {
+      this.heads.add(head);
+      this.heads.follow();
+    }
+    const character = await this.files.get<BroughtCharacter>("character");
+    if (character) await this.guest.welcome(character).catch(() => void this.files.put("character", null));
+  }
+
+  /** The character becomes the head to draw on. */
+  async drawOnCharacter(): Promise<void> {
+    const character = this.guest.character.value;
+    if (!character) return;
+    await this.wear(character.name, character.bytes, character.found);
+    this.guest.leave();
+    this.studio.mode.value = "draw";
+  }
+
+  /** Takes away what came as a file: the character first, else the head. */
+  backToBundledHead(): void {
+    this.guest.leave();
+    if (this.heads.shown.value) this.heads.wear(null);
   }
 
   /** A new document, on the head that is shown. */
@@ -78,7 +102,8 @@ export class Bringing {
       return null;
     }
     const answer = await this.studio.service.json<CharacterChainsAnswer>("/v1/characters/chains", { body: bytes, signal });
-    await this.wear(name, bytes, answer, signal);
+    if (answer.chains.length > 0) await this.guest.welcome({ name, bytes, found: answer, chosen: firstChosen(answer) }, signal);
+    else await this.wear(name, bytes, answer, signal);
     return null;
   }
 

@@ -14,13 +14,16 @@ export interface LoadedModel {
 export async function loadModel(bytes: ArrayBuffer): Promise<LoadedModel> {
   const { scene, parser } = await new GLTFLoader().parseAsync(bytes, "");
   const nodes = new Map<number, THREE.Object3D>();
-  for (const [object, { nodes: index }] of parser.associations) if (object instanceof THREE.Object3D && index !== undefined) nodes.set(index, object);
+  // An association can be missing, whatever its type says.
+  for (const [object, place] of parser.associations as Map<unknown, { readonly nodes?: number } | undefined>) {
+    if (object instanceof THREE.Object3D && place?.nodes !== undefined) nodes.set(place.nodes, object);
+  }
   return {
     scene,
     nodes,
     dispose() {
       scene.traverse((node) => {
-        if (!(node instanceof THREE.Mesh)) return;
+        if (!(node instanceof THREE.Mesh || node instanceof THREE.Line || node instanceof THREE.Points)) return;
         const mesh = node as THREE.Mesh;
         mesh.geometry.dispose();
         if (mesh instanceof THREE.SkinnedMesh) mesh.skeleton.dispose();

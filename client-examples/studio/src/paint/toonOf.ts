@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import type { BaseColor } from "./baseColorOf";
-import { hairTones } from "./hairTones";
 import { kSkin } from "./skinPaint";
+import { skinTones } from "./skinTones";
 import { toonMaterial } from "./toonMaterial";
 
 const kTints = ["#c3aebf", "#dfd0da", "#ffffff"] as const; // multiply a picture
@@ -17,7 +17,7 @@ function tinted(tint: string, color: string): string {
  */
 export function toonOf({ map, color, side }: BaseColor, isSkin: boolean): THREE.ShaderMaterial {
   const { light } = kSkin;
-  if (!map) return toonMaterial({ tones: isSkin ? kSkin.tones : hairTones(color).tones, light, side });
+  if (!map) return toonMaterial({ tones: isSkin ? kSkin.tones : skinTones(color), light, side });
   const shown = map.clone(); // as the file has its bytes: without a change of color space
   shown.colorSpace = THREE.NoColorSpace;
   return toonMaterial({ tones: kTints.map((tint) => tinted(tint, color)), light, side, map: shown });
