@@ -1,4 +1,4 @@
-import { Light, type Object3D } from "three";
+import { Light, Mesh, type Object3D } from "three";
 import type { LoadedHair } from "../hair/HairLoader";
 import { HairView } from "../hair/HairView";
 import type { HairStage } from "../stage/HairStage";
@@ -7,8 +7,11 @@ import type { HairStage } from "../stage/HairStage";
 const kMostSamples = 8192;
 const kOversampling = 3;
 
+/** With the head; the hair alone; or the hair as far as the head does not hide it, to lie over another drawing of the head. */
+export type PictureParts = "head" | "hair" | "cutOut";
+
 export interface PictureLook {
-  readonly withHead: boolean;
+  readonly parts: PictureParts;
   /** Pixels. */
   readonly width: number;
   readonly height: number;
@@ -25,10 +28,12 @@ export class CyclePainter {
   }
 
   /** @param picture  from 0 */
-  paint(picture: number, { withHead, width, height }: PictureLook): HTMLCanvasElement {
+  paint(picture: number, { parts, width, height }: PictureLook): HTMLCanvasElement {
     const { stage, camera } = this.stage.viewport;
-    const stays = (node: Object3D) => node instanceof Light || (withHead && node === this.stage.headGroup);
+    const head = this.stage.headGroup;
+    const stays = (node: Object3D) => node instanceof Light || (parts !== "hair" && node === head);
     const hidden = stage.scene.children.filter((node) => node.visible && !stays(node));
+    const uncover = parts === "cutOut" ? cutOut(head) : () => {};
     for (const node of hidden) node.visible = false;
     stage.scene.add(this.view.group);
     this.view.showPicture(picture, false);
@@ -38,10 +43,24 @@ export class CyclePainter {
     } finally {
       stage.scene.remove(this.view.group);
       for (const node of hidden) node.visible = true;
+      uncover();
     }
   }
 
   dispose(): void {
     this.view.dispose();
   }
+}
+
+/** Lets an object hide what is behind it without being seen itself: it is drawn first, as depth alone. @return  undoes that */
+function cutOut(object: Object3D): () => void {
+  const meshes: Mesh[] = [];
+  object.traverse((node) => node instanceof Mesh && meshes.push(node as Mesh));
+  const materials = new Set(meshes.flatMap(({ material }) => material).filter(({ colorWrite }) => colorWrite));
+  const set = (colorWrite: boolean, orders: number) => {
+    for (const material of materials) material.colorWrite = colorWrite;
+    for (const mesh of meshes) mesh.renderOrder += orders;
+  };
+  set(false, -1);
+  return () => set(true, 1);
 }

@@ -1,7 +1,7 @@
 import { element } from "../base/element";
 import type { takeAwayText } from "../text/takeAwayText";
 import { choice } from "../widgets/choice";
-import type { PictureLook } from "./CyclePainter";
+import type { PictureLook, PictureParts } from "./CyclePainter";
 import type { Cycle } from "./takePictures";
 
 const kSmallest = 512; // pixels
@@ -13,7 +13,7 @@ const kPreview = 320; // pixels of its longer side, shown at half that size
 export class PicturesPart {
   readonly element: HTMLFieldSetElement;
   readonly progress: HTMLProgressElement;
-  private withHead = true;
+  private parts: PictureParts = "head";
   private readonly width: HTMLInputElement;
   private readonly height: HTMLInputElement;
   private readonly preview: HTMLElement;
@@ -21,22 +21,25 @@ export class PicturesPart {
   private cycle: Cycle | null = null;
 
   constructor(private readonly words: typeof takeAwayText.en) {
-    const shown = choice(words.shown, [["head", words.shownParts.withHead], ["hair", words.shownParts.hairOnly]] as const, (value) => {
-      this.withHead = value === "head";
+    const shown = choice(words.shown, (["head", "hair", "cutOut"] as const).map((parts) => [parts, words.shownParts[parts]] as const), (value) => {
+      this.parts = value;
+      help.hidden = value !== "cutOut";
       this.paint();
     });
     shown.set("head");
+    const help = element("p", { className: "help", hidden: true, role: "status" }, words.shownHelp);
     this.width = this.sizeInput();
     this.height = this.sizeInput();
     this.preview = element("div", { className: "take-preview", role: "img", aria: { label: words.preview } });
-    const size = (name: string, input: HTMLInputElement) => element("label", { className: "take-size" }, element("span", {}, name), input, element("span", {}, words.pixels));
+    const size = (name: string, input: HTMLInputElement) =>
+      element("label", { className: "take-size" }, element("span", {}, name), input, element("span", {}, words.pixels));
     this.progress = element("progress", { className: "take-progress", hidden: true, value: 0, aria: { label: words.takePictures } });
     this.element = element("fieldset", { className: "take-pictures", aria: { label: words.pictures } }, this.preview,
-      element("div", { className: "take-choices" }, shown.element, size(words.width, this.width), size(words.height, this.height), this.summary));
+      element("div", { className: "take-choices" }, shown.element, help, size(words.width, this.width), size(words.height, this.height), this.summary));
   }
 
   get look(): PictureLook {
-    return { withHead: this.withHead, width: sizeOf(this.width), height: sizeOf(this.height) };
+    return { parts: this.parts, width: sizeOf(this.width), height: sizeOf(this.height) };
   }
 
   /** Shows the first picture of a cycle; null shows none. The cycle stays the caller's. */
@@ -47,11 +50,11 @@ export class PicturesPart {
   }
 
   private paint(): void {
-    const { width, height, withHead } = this.look;
-    this.preview.style.aspectRatio = `${width} / ${height}`;
-    if (!this.cycle) return this.preview.replaceChildren();
+    const { width, height, parts } = this.look;
     const scale = kPreview / Math.max(width, height);
-    this.preview.replaceChildren(this.cycle.painter.paint(0, { withHead, width: Math.max(1, Math.round(scale * width)), height: Math.max(1, Math.round(scale * height)) }));
+    Object.assign(this.preview.style, { width: `${(scale * width) / 2}px`, height: `${(scale * height) / 2}px` });
+    const first = this.cycle?.painter.paint(0, { parts, width: Math.round(scale * width), height: Math.round(scale * height) });
+    this.preview.replaceChildren(...(first ? [first] : []));
   }
 
   private sizeInput(): HTMLInputElement {

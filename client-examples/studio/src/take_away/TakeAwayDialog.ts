@@ -38,7 +38,8 @@ export class TakeAwayDialog {
     this.part = new PicturesPart(words);
     this.nothing = element("p", { className: "take-nothing", id: "take-nothing" }, words.nothing);
     const help = (text: string) => element("p", { className: "help" }, text);
-    this.picturesGroup = group(words.pictures, help(words.picturesHelp), this.part.element, this.button(words.takePictures, (signal) => this.takePictures(signal), "primary"), this.part.progress);
+    const take = this.button(words.takePictures, (signal) => this.takePictures(signal), "primary");
+    this.picturesGroup = group(words.pictures, help(words.picturesHelp), this.part.element, take, this.part.progress);
     this.dialog = new Dialog(words.title, words.close, this.nothing,
       group(words.hairstyle, help(words.hairstyleHelp), element("div", { className: "take-row" },
         this.button(words.json, async () => this.give("json", hairstyleFile(studio.document), "application/json")),
@@ -49,7 +50,9 @@ export class TakeAwayDialog {
       this.status);
     this.dialog.element.classList.add("take-away");
     // The key that opened it; the browser would save the page.
-    this.dialog.element.addEventListener("keydown", (event) => (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "s" && event.preventDefault());
+    this.dialog.element.addEventListener("keydown", (event) => {
+      if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "s") event.preventDefault();
+    });
     this.dialog.onClose = () => this.leave();
   }
 
@@ -69,28 +72,31 @@ export class TakeAwayDialog {
   private leave(): void {
     this.opened.abort();
     this.part.show(null);
+    this.part.progress.hidden = true;
     this.cycle?.then(({ painter }) => painter.dispose(), () => {});
     this.cycle = null;
   }
 
   private button(label: string, work: Work, className = "plain"): HTMLButtonElement {
-    const button = element("button", { type: "button", className, onclick: () => void this.attempt(button.closest(".group") ?? this.picturesGroup, work) }, label);
+    const button = element("button", { type: "button", className, onclick: () => void this.attempt(button, work) }, label);
     this.buttons.push(button);
     return button;
   }
 
-  /** One thing at a time. @param place  where to show what goes wrong */
-  private async attempt(place: Element, work: Work): Promise<void> {
+  /** One thing at a time. What goes wrong stands below the button that asked for it. */
+  private async attempt(button: HTMLButtonElement, work: Work): Promise<void> {
     const { signal } = this.opened;
     this.problem.remove();
     this.rest(true);
     try {
       await work(signal);
     } catch (error) {
-      if (!signal.aborted) this.showProblem(place, error);
+      if (!signal.aborted) this.showProblem(button.closest(".group") ?? this.picturesGroup, error);
     }
+    if (signal.aborted) return;
     this.part.progress.hidden = true;
-    if (!signal.aborted) this.rest(false);
+    this.rest(false);
+    button.focus({ preventScroll: true }); // it had to let go of it while it was disabled
   }
 
   /** The first picture and all others: asked for once while the dialog is open. */

@@ -13,6 +13,7 @@ export async function loadCycle(studio: Studio, signal: AbortSignal): Promise<{ 
   ]);
   if (!pictures || !schedule) throw new Error("a hairstyle that does not move has no cycle");
   const rests = meshes.map(({ rest }) => rest);
-  const limited = { pictures: pictures.length, joints: rests.reduce((sum, rest) => sum + rest.length / 3, 0), matrices: poseMatrices(pictures, rests) };
+  const joints = rests.reduce((sum, rest) => sum + rest.length / 3, 0);
+  const limited = { pictures: pictures.length, joints, matrices: poseMatrices(pictures, rests) };
   return { hair: { tufts: document.tufts, meshes, limited, smooth: null }, schedule };
 }

@@ -4,12 +4,17 @@ export interface SheetTrack {
   readonly cells: readonly { readonly frame: number; readonly cell: string }[];
 }
 
+interface Frame {
+  readonly frame: number;
+  readonly data: readonly { readonly values: readonly string[] }[];
+}
+
 interface Xdts {
   readonly timeTables: readonly {
     readonly timeTableHeaders: readonly { readonly fieldId: number; readonly names: readonly string[] }[];
     readonly fields: readonly {
       readonly fieldId: number;
-      readonly tracks: readonly { readonly trackNo: number; readonly frames: readonly { readonly frame: number; readonly data: readonly { readonly values: readonly string[] }[] }[] }[];
+      readonly tracks: readonly { readonly trackNo: number; readonly frames: readonly Frame[] }[];
     }[];
   }[];
 }

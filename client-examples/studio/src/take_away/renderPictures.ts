@@ -5,7 +5,9 @@ import type { CyclePainter, PictureLook } from "./CyclePainter";
  * @param onProgress  called before each picture, how many are done, and after the last
  * @throws DOMException AbortError if `signal` says so; Error if the browser has no memory for a picture of that size
  */
-export async function renderPictures(painter: CyclePainter, pictures: number, look: PictureLook, signal: AbortSignal, onProgress: (done: number) => void): Promise<Uint8Array[]> {
+export async function renderPictures(
+  painter: CyclePainter, pictures: number, look: PictureLook, signal: AbortSignal, onProgress: (done: number) => void,
+): Promise<Uint8Array[]> {
   const pngs: Uint8Array[] = [];
   for (let picture = 0; picture < pictures; picture++) {
     onProgress(picture);

@@ -15,13 +15,17 @@ export interface Cycle {
 }
 
 /** The zip with every picture of the cycle, its sheet and how to load it. @throws as Service and renderPictures do */
-export async function takePictures(studio: Studio, { schedule, painter }: Cycle, look: PictureLook, words: typeof takeAwayText.en, signal: AbortSignal, onProgress: (done: number) => void): Promise<Uint8Array<ArrayBuffer>> {
+export async function takePictures(
+  studio: Studio, { schedule, painter }: Cycle, look: PictureLook, words: typeof takeAwayText.en, signal: AbortSignal, onProgress: (done: number) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
   const xdts = await studio.service.text("/v1/hairstyles", { body: toHairstyle(studio.document), query: { format: "xdts" }, signal });
   const { track, pictures, csv } = sheetFiles(xdts, schedule);
   const pngs = await renderPictures(painter, pictures.length, look, signal, onProgress);
   const name = fileName(studio.document.name);
   const { frames, fps } = schedule;
-  const readme = words.readme({ name, track, first: pictures[0]!, last: pictures.at(-1)!, pictures: pictures.length, frames, fps: String(fps), width: look.width, height: look.height });
+  const [first, last] = [pictures[0]!, pictures.at(-1)!];
+  const { width, height } = look;
+  const readme = words.readme({ name, track, first, last, pictures: pictures.length, frames, fps: String(fps), width, height });
   return zipPictures({
     name, xdts, csv,
     pictures: pictures.map((file, i) => ({ name: file, png: pngs[i]! })),

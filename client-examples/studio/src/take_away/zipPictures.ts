@@ -15,6 +15,7 @@ export interface PictureZip {
 export function zipPictures({ name, pictures, xdts, csv, readme }: PictureZip): Uint8Array<ArrayBuffer> {
   const files: Zippable = {};
   for (const { name: file, png } of pictures) files[`${name}/${file}`] = [png, { level: 0 }];
-  for (const [file, text] of [[`${name}.xdts`, xdts], [`${name}.csv`, csv], ["README.txt", readme]] as const) files[`${name}/${file}`] = [strToU8(text), { level: 9 }];
+  const texts = { [`${name}.xdts`]: xdts, [`${name}.csv`]: csv, "README.txt": readme };
+  for (const [file, text] of Object.entries(texts)) files[`${name}/${file}`] = [strToU8(text), { level: 9 }];
   return zipSync(files, { mtime: kDate });
 }

@@ -17,7 +17,8 @@ export class Dialog {
     const id = `dialog-${++made}`;
     const head = element("header", { className: "dialog-head" }, element("h2", { id }, title), iconButton("close", closeLabel, () => this.close()));
     // The parts lie in a box that fills the dialog: what hits the dialog itself is beside it.
-    this.element = element("dialog", { className: "dialog", aria: { labelledby: id } }, element("div", { className: "dialog-box" }, head, element("div", { className: "dialog-body" }, ...children)));
+    const box = element("div", { className: "dialog-box" }, head, element("div", { className: "dialog-body" }, ...children));
+    this.element = element("dialog", { className: "dialog", aria: { labelledby: id } }, box);
     this.element.addEventListener("pointerdown", ({ target }) => target === this.element && this.close());
     this.element.addEventListener("keydown", (event) => event.stopPropagation());
     this.element.addEventListener("close", () => {
