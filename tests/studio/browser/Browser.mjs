@@ -29,9 +29,9 @@ export class Browser {
    * Opens the studio and waits until it is there. Small, and without motion that starts by itself, unless asked otherwise.
    * @param kept  the document of an earlier visit, { name, hairstyle }
    */
-  async open(url, { width = 800, height = 540, locale = "en-US", colorScheme = "light", reducedMotion = "reduce", kept = null, ...more } = {}) {
+  async open(url, { width = 720, height = 460, locale = "en-US", colorScheme = "light", reducedMotion = "reduce", kept = null, antialias = false, ...more } = {}) {
     const context = await this.#browser.newContext({ viewport: { width, height }, locale, colorScheme, reducedMotion, ...more });
-    await context.addInitScript(beforePage, kept);
+    await context.addInitScript(beforePage, { kept, antialias });
     const page = await context.newPage();
     page.setDefaultTimeout(15_000);
     const studio = new StudioPage(page, new Watch(page, new URL(url).origin));

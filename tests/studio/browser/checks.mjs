@@ -11,11 +11,12 @@ import { managesTufts } from "./checks/managesTufts.mjs";
 import { plays } from "./checks/plays.mjs";
 import { shapesPoints } from "./checks/shapesPoints.mjs";
 import { showsProblem } from "./checks/showsProblem.mjs";
+import { takesAway } from "./checks/takesAway.mjs";
 import { undoesEverything } from "./checks/undoesEverything.mjs";
 import { worksByKeys } from "./checks/worksByKeys.mjs";
 
 /** All checks, in the order in which they run. */
 export const checks = [
-  drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself,
+  drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself, takesAway,
   showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
 ];

@@ -13,7 +13,7 @@ async function faultsOf({ page }) {
     .map(({ id, help, nodes }) => `${id}: ${help}\n${nodes.slice(0, 4).map(({ html }) => `    ${html.slice(0, 160)}`).join("\n")}`);
 }
 
-/** axe finds nothing serious in any mode, light and dark, in English and Japanese. */
+/** axe finds nothing serious in any mode or dialog, light and dark, in English and Japanese. */
 export async function isAccessible({ open }) {
   const faults = [];
   for (const look of kLooks) {
@@ -24,6 +24,13 @@ export async function isAccessible({ open }) {
       if (state === "Shape") await studio.row("left").click();
       await studio.settle();
       await note(state);
+    }
+    for (const key of ["?", "Control+s"]) {
+      await studio.press(key);
+      await studio.page.getByRole("dialog").waitFor();
+      await studio.settle();
+      await note(`dialog of ${key}`);
+      await studio.press("Escape");
     }
     await studio.page.context().close();
   }
