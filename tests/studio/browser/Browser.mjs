@@ -29,7 +29,7 @@ export class Browser {
    * Opens the studio and waits until it is there. Small, and without motion that starts by itself, unless asked otherwise.
    * @param kept  the document of an earlier visit, { name, hairstyle }
    */
-  async open(url, { width = 720, height = 460, locale = "en-US", colorScheme = "light", reducedMotion = "reduce", kept = null, antialias = false, ...more } = {}) {
+  async open(url, { width = 768, height = 500, locale = "en-US", colorScheme = "light", reducedMotion = "reduce", kept = null, antialias = false, ...more } = {}) {
     const context = await this.#browser.newContext({ viewport: { width, height }, locale, colorScheme, reducedMotion, ...more });
     await context.addInitScript(beforePage, { kept, antialias });
     const page = await context.newPage();
