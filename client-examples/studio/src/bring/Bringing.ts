@@ -67,7 +67,12 @@ export class Bringing {
   async drawOnCharacter(): Promise<void> {
     const character = this.guest.character.value;
     if (!character) return;
-    await this.wear(character.name, character.bytes, character.found);
+    try {
+      await this.wear(character.name, character.bytes, character.found);
+    } catch {
+      this.message.value = { kind: "empty", name: character.name };
+      return;
+    }
     this.guest.leave();
     this.studio.mode.value = "draw";
   }

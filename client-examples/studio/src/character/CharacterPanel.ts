@@ -7,7 +7,7 @@ import { bringText } from "../text/bringText";
 import { language } from "../text/language";
 import { group } from "../widgets/group";
 import type { BroughtCharacter } from "./BroughtCharacter";
-import { downloadBytes } from "./downloadBytes";
+import { download } from "../take_away/download";
 
 const kKinds = ["hair", "ribbon", "skirt", "unknown"] as const;
 
@@ -88,7 +88,7 @@ export class CharacterPanel implements Panel {
     this.take.disabled = true;
     this.take.textContent = this.words.taking;
     try {
-      downloadBytes(await this.bringing.guest.file(), character.name);
+      download(character.name, await this.bringing.guest.file(), "application/octet-stream");
     } catch (error) {
       const { name } = character;
       this.bringing.message.value = error instanceof ServiceProblem ? { kind: "refused", name, problem: error } : { kind: "away", name };

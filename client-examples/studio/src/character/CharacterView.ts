@@ -23,7 +23,9 @@ export class CharacterView implements Guest {
   private constructor(private readonly model: LoadedModel, private readonly lines: ChainLines | null, readonly ball: HeadBall, readonly middle: THREE.Vector3, readonly height: number, readonly front: Guest["front"]) {
     this.unpaint = paintCharacter(model.scene);
     this.group.add(model.scene);
-    if (lines) this.group.add(lines.lines);
+    if (!lines) return;
+    model.scene.visible = false; // what lines it has do not bend
+    this.group.add(lines.lines);
   }
 
   /** @throws Error if the file cannot be shown, RangeError if there is nothing in it */

@@ -1,7 +1,7 @@
 const en = {
   opening: (name: string) => `Opening ${name} …`,
   cut: (name: string) => `${name} is cut off: its end is missing.`,
-  empty: (name: string) => `${name} has nothing in it that can be seen.`,
+  empty: (name: string) => `${name} has no surface to show or to draw on.`,
   unshown: (name: string) => `${name} could be read, but this page cannot show it.`,
   away: (name: string) => `${name} was not opened, since the service does not answer. Try again in a moment.`,
   refused: (name: string) => `${name} was not opened`,
@@ -28,7 +28,7 @@ export const bringText: { readonly en: typeof en; readonly ja: typeof en } = {
   ja: {
     opening: (name) => `${name} を開いています…`,
     cut: (name) => `${name} は途中で切れています。ファイルの終わりがありません。`,
-    empty: (name) => `${name} には表示できる形がありません。`,
+    empty: (name) => `${name} には、表示したり描いたりできる面がありません。`,
     unshown: (name) => `${name} は読み込めましたが、このページでは表示できません。`,
     away: (name) => `サーバーが応答しないため、${name} を開けませんでした。少し待ってからもう一度お試しください。`,
     refused: (name) => `${name} を開けませんでした`,
