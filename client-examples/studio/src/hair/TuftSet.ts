@@ -1,4 +1,4 @@
-import { Group, type BufferGeometry, type Mesh } from "three";
+import { Group, Mesh, type BufferGeometry } from "three";
 import type { SharedUniforms } from "../paint/sharedUniforms";
 import { tuftMaterials, type TuftMaterials } from "../paint/tuftMaterials";
 import { tuftMesh } from "../paint/tuftMesh";
@@ -11,7 +11,7 @@ export interface PlacedTuft {
 }
 
 interface Shown {
-  readonly geometry: BufferGeometry;
+  geometry: BufferGeometry;
   readonly materials: TuftMaterials;
   readonly mesh: Mesh;
   id: number;
@@ -24,16 +24,22 @@ export class TuftSet {
 
   constructor(private readonly shared: SharedUniforms, private readonly opacity = 1) {}
 
+  /** What is shown of another geometry is used again: were the last one dropped, its programs would be compiled anew for the next. */
   set(tufts: readonly PlacedTuft[]): void {
     const old = new Map(this.shown.map((one) => [one.geometry, one]));
-    this.shown = tufts.map(({ id, geometry, firstJoint }) => {
-      const one = old.get(geometry) ?? this.make(geometry);
+    const kept = tufts.map(({ geometry }) => {
+      const one = old.get(geometry);
       old.delete(geometry);
+      return one;
+    });
+    const spare = [...old.values()];
+    this.shown = tufts.map(({ id, geometry, firstJoint }, i) => {
+      const one = kept[i] ?? reuse(spare.pop(), geometry) ?? this.make(geometry);
       one.id = id;
       one.materials.firstJoint.value = firstJoint;
       return one;
     });
-    for (const gone of old.values()) this.drop(gone);
+    for (const gone of spare) this.drop(gone);
   }
 
   /** @param strength  0..1 for a tuft's id */
@@ -63,4 +69,12 @@ export class TuftSet {
     this.group.remove(mesh);
     materials.dispose();
   }
+}
+
+function reuse(one: Shown | undefined, geometry: BufferGeometry): Shown | null {
+  if (!one) return null;
+  one.geometry = geometry;
+  one.materials.highlight.value = 0;
+  one.mesh.traverse((part) => part instanceof Mesh && (part.geometry = geometry));
+  return one;
 }
