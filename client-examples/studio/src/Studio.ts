@@ -7,7 +7,8 @@ import { History } from "./model/History";
 import { newDocument } from "./model/newDocument";
 import type { StudioDocument, StudioTuft } from "./model/StudioDocument";
 
-export type Mode = "draw" | "shape" | "fill" | "move";
+export const kModes = ["draw", "shape", "fill", "move"] as const;
+export type Mode = (typeof kModes)[number];
 
 /** What a new tuft is like, and where strokes go. */
 export interface Pen {

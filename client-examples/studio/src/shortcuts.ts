@@ -1,9 +1,8 @@
 import type { App } from "./App";
 import { duplicateTufts } from "./model/duplicateTufts";
 import { mirrorTuft } from "./model/mirrorTuft";
-import type { Mode } from "./Studio";
+import { kModes } from "./Studio";
 
-const kModes: Readonly<Record<string, Mode>> = { "1": "draw", "2": "shape", "3": "fill", "4": "move" };
 
 const kPushed: readonly string[] = ["range", "checkbox", "radio", "color"]; // inputs in which nobody writes
 
@@ -16,6 +15,7 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
     if (key === "z" && event.shiftKey) studio.history.redo();
     else if (key === "z") studio.history.undo();
     else if (key === "y") studio.history.redo();
+    else if (key === "o" && !event.shiftKey) app.openFile();
     else if (key === "s" && !event.shiftKey) app.takeAway();
     else if (key === "d" && !writes) copySelected(app, false);
     else return;
@@ -23,7 +23,7 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
     return;
   }
   if (writes || event.altKey || event.defaultPrevented) return;
-  const mode = kModes[key];
+  const mode = kModes[Number(key) - 1];
   if (mode) studio.mode.value = mode;
   else if (key === "m") copySelected(app, true);
   else if (key === "?") app.help();

@@ -2,7 +2,7 @@ import type { CharacterChain } from "../api/contract";
 import { ServiceProblem } from "../api/ServiceProblem";
 import { element } from "../base/element";
 import type { Bringing } from "../bring/Bringing";
-import type { Panel } from "../panels/Panel";
+import type { Part } from "../base/Part";
 import { bringText } from "../text/bringText";
 import { language } from "../text/language";
 import { group } from "../widgets/group";
@@ -12,7 +12,7 @@ import { download } from "../take_away/download";
 const kKinds = ["hair", "ribbon", "skirt", "unknown"] as const;
 
 /** Above the panel of motion: which chains of a character move, and what can be done with it. Without a character, nothing. */
-export class CharacterPanel implements Panel {
+export class CharacterPanel implements Part {
   readonly element: HTMLElement;
   private readonly words = bringText[language.value];
   private readonly place = element("div", { className: "panel-body" });
@@ -22,7 +22,7 @@ export class CharacterPanel implements Panel {
   private shown: readonly CharacterChain[] | null = null;
   private boxes: { readonly input: HTMLInputElement; readonly indices: readonly number[] }[] = [];
 
-  constructor(private readonly bringing: Bringing, private readonly inner: Panel) {
+  constructor(private readonly bringing: Bringing, private readonly inner: Part) {
     this.element = element("div", { className: "panel-body character-panel" }, this.place, inner.element);
     this.end = bringing.guest.character.follow((character) => this.show(character));
   }

@@ -1,4 +1,5 @@
 import { element } from "../base/element";
+import type { Part } from "../base/Part";
 import type { Studio } from "../Studio";
 import type { panelText } from "../text/panelText";
 import { hairColors } from "../model/hairColors";
@@ -7,11 +8,10 @@ import { colorField } from "../widgets/colorField";
 import { group } from "../widgets/group";
 import { toggle } from "../widgets/toggle";
 import type { Fields } from "./Fields";
-import type { Panel } from "./Panel";
 import { TuftFields } from "./TuftFields";
 
 /** How new strokes are drawn and what their tufts are like. */
-export class DrawPanel implements Panel {
+export class DrawPanel implements Part {
   readonly element: HTMLElement;
   private readonly endings: (() => void)[];
 

@@ -1,13 +1,22 @@
 import type { ServiceProblem } from "../api/ServiceProblem";
+import { Signal } from "../base/Signal";
 import type { Slider } from "../widgets/Slider";
 
 /** The fields on the page by the JSON pointers of the contract, without numbers: "/tufts/diameter". */
 export class Fields {
   private sliders: { readonly field: string; readonly slider: Slider }[] = [];
 
+  /** Counts the panels that came, for those who show problems. */
+  readonly changed = new Signal(0);
+
   add(field: string, slider: Slider): Slider {
     this.sliders.push({ field, slider });
     return slider;
+  }
+
+  /** Another panel is there with all its fields. */
+  announce(): void {
+    this.changed.value++;
   }
 
   /** Another panel comes. */

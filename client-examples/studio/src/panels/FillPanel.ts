@@ -1,5 +1,6 @@
 import { rangeOf } from "../api/rangeOf";
 import { element } from "../base/element";
+import type { Part } from "../base/Part";
 import type { FillPreview } from "../fill/FillPreview";
 import type { Studio } from "../Studio";
 import type { panelText } from "../text/panelText";
@@ -9,12 +10,11 @@ import { seedField } from "../widgets/seedField";
 import { Slider } from "../widgets/Slider";
 import { toggle } from "../widgets/toggle";
 import type { Fields } from "./Fields";
-import type { Panel } from "./Panel";
 
 type Direction = "along" | "crown" | "neck";
 
 /** The gap that is to be filled, how densely, and what comes of it. */
-export class FillPanel implements Panel {
+export class FillPanel implements Part {
   readonly element: HTMLElement;
   private readonly endings: (() => void)[];
 

@@ -1,6 +1,7 @@
 import type { Motion, Phasing, Timing, Wave } from "../api/contract";
 import { rangeOf } from "../api/rangeOf";
 import { element } from "../base/element";
+import type { Part } from "../base/Part";
 import type { Signal } from "../base/Signal";
 import { WavePlot } from "../motion/WavePlot";
 import type { Studio } from "../Studio";
@@ -13,13 +14,12 @@ import { seedField } from "../widgets/seedField";
 import { Slider, type SliderOptions } from "../widgets/Slider";
 import { toggle } from "../widgets/toggle";
 import type { Fields } from "./Fields";
-import type { Panel } from "./Panel";
 
 const kRates = ["24", "24000/1001", "25", "30", "30000/1001", "48", "60", "12"] as const;
 const kGust = 0.8; // metres, when it is switched on
 
 /** The wave, its timing and how it is laid on the hair. */
-export class MovePanel implements Panel {
+export class MovePanel implements Part {
   readonly element: HTMLElement;
   private readonly endings: (() => void)[];
 

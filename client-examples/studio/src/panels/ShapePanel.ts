@@ -1,14 +1,14 @@
 import { element } from "../base/element";
+import type { Part } from "../base/Part";
 import { changeTufts } from "../model/changeTufts";
 import type { Studio } from "../Studio";
 import type { panelText } from "../text/panelText";
 import type { Fields } from "./Fields";
-import type { Panel } from "./Panel";
 import { TuftFields } from "./TuftFields";
 import { TuftList } from "./TuftList";
 
 /** The selected tufts' shape, and the list of all. */
-export class ShapePanel implements Panel {
+export class ShapePanel implements Part {
   readonly element: HTMLElement;
   private readonly endings: (() => void)[];
 

@@ -20,14 +20,12 @@ const en = {
   limited: "As drawn, held",
   smooth: "Smooth, for comparison",
   away: "The service does not answer. You can go on; hair comes back when it does.",
-  back: "The service is back.",
   problem: "The service refused this",
   dismiss: "Dismiss",
   dropHere: "Drop a hairstyle (JSON or GLB), a head (GLB) or a character (VRM, GLB)",
   notRead: (name: string) => `${name} could not be read: it is no hairstyle, no GLB and no VRM.`,
-  saved: "Kept in this browser",
   notSaved: "This browser keeps nothing: take your hairstyle away before you leave.",
-  resizePanel: "Panel",
+  settings: "Settings",
 };
 
 /** Words of the frame around the picture and the panels. */
@@ -55,13 +53,11 @@ export const appText: { readonly en: typeof en; readonly ja: typeof en } = {
     limited: "作画（コマ打ち）",
     smooth: "なめらか（比較用）",
     away: "サーバーが応答しません。作業は続けられます。復帰すると髪が戻ります。",
-    back: "サーバーが復帰しました。",
     problem: "サーバーが受け付けませんでした",
     dismiss: "閉じる",
     dropHere: "髪型（JSON・GLB）、頭（GLB）、キャラクター（VRM・GLB）をドロップ",
     notRead: (name) => `${name} を読み込めませんでした。髪型・GLB・VRM のいずれでもありません。`,
-    saved: "ブラウザーに保存済み",
     notSaved: "このブラウザーには保存できません。終了前に書き出してください。",
-    resizePanel: "パネル",
+    settings: "設定",
   },
 };
