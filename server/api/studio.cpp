@@ -15,15 +15,16 @@ constexpr std::string_view kIndex = "index.html";
 struct Type {
     std::string_view ending, type;
 };
-constexpr std::array<Type, 9> kTypes{{{".html", "text/html; charset=utf-8"},
-                                      {".js", "text/javascript; charset=utf-8"},
-                                      {".css", "text/css; charset=utf-8"},
-                                      {".json", "application/json"},
-                                      {".glb", "model/gltf-binary"},
-                                      {".svg", "image/svg+xml"},
-                                      {".png", "image/png"},
-                                      {".woff2", "font/woff2"},
-                                      {".txt", "text/plain; charset=utf-8"}}};
+constexpr std::array<Type, 10> kTypes{{{".html", "text/html; charset=utf-8"},
+                                       {".js", "text/javascript; charset=utf-8"},
+                                       {".css", "text/css; charset=utf-8"},
+                                       {".json", "application/json"},
+                                       {".glb", "model/gltf-binary"},
+                                       {".svg", "image/svg+xml"},
+                                       {".png", "image/png"},
+                                       {".webp", "image/webp"},
+                                       {".woff2", "font/woff2"},
+                                       {".txt", "text/plain; charset=utf-8"}}};
 
 /// What the page may load: only what this server has, and what the page itself has made (blob:) or been given (data:),
 /// such as a dropped character's textures. Styles may stand in the page, since positions over the drawing are set so.

@@ -68,6 +68,7 @@ TEST(Studio, FilesSayWhatTheyAre) {
                                                              {"studio.glb", "model/gltf-binary"},
                                                              {"studio.svg", "image/svg+xml"},
                                                              {"studio.png", "image/png"},
+                                                             {"studio.webp", "image/webp"},
                                                              {"studio.woff2", "font/woff2"},
                                                              {"studio.txt", "text/plain; charset=utf-8"},
                                                              {"studio.bin", "application/octet-stream"}};
