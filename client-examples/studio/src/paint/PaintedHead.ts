@@ -9,7 +9,11 @@ export interface PaintedHead {
   readonly surface: THREE.Mesh<THREE.BufferGeometry>;
   /** Where hair grows, as the service takes it. */
   readonly scalp: components["schemas"]["ScalpMesh"];
-  /** Paints the scalp like the hair, so that no skin shines through. @param tones  three CSS colors, darkest first */
-  setScalpTones(tones: readonly [string, string, string]): void;
+  /**
+   * Paints the scalp like the hair, so that no skin shines through.
+   * @param tones  three CSS colors, darkest first
+   * @param brow  the eyebrows' color; if left out, the darkest tone
+   */
+  setScalpTones(tones: readonly [string, string, string], brow?: string): void;
   dispose(): void;
 }

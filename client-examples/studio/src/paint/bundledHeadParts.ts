@@ -1,6 +1,7 @@
 import * as THREE from "three";
 import { cutBelow } from "./cutBelow";
 import { drawnProfile } from "./drawnProfile";
+import { type HeadPlace, kHeadPlace } from "./HeadPlace";
 import { isInMouth } from "./isInMouth";
 
 /** One part of the head in the hair's frame: to paint, with flat normals, and to outline, with its own. */
@@ -10,25 +11,8 @@ export interface HeadPart {
 }
 
 // In the file's frame, metres from the floor.
-const kCrown = 1.6659;
 const kNeck = { cut: 1.42, column: 0.045, share: 0.66, slimmed: [1.43, 1.49], front: 0.07 } as const;
 const kSkull = { middle: [0, 1.545, 0.062], half: [0.085, 0.17, 0.105], above: [1.425, 1.455] } as const;
-const kFace = { y: 1.492, half: [0.072, 0.083] } as const; // the drawn one's middle and half its sides
-
-// From the file's frame to the hair's: the head's center is the origin, the crown at 0.1.
-const kScale = [1.2, 1.04, 1.02] as const;
-const kPosition = [0, 0.1 - kScale[1] * kCrown, -0.058] as const;
-
-/** Left, bottom, right, top of the drawn face in the hair's frame, metres. */
-export const kFaceBox: readonly [number, number, number, number] = [
-  -kFace.half[0] * kScale[0] + kPosition[0],
-  (kFace.y - kFace.half[1]) * kScale[1] + kPosition[1],
-  kFace.half[0] * kScale[0] + kPosition[0],
-  (kFace.y + kFace.half[1]) * kScale[1] + kPosition[1],
-];
-
-/** Nothing is drawn on what lies farther back, metres in the hair's frame: the jaw, which is narrow enough for the cheeks' blush. */
-export const kFaceFront = 0.046;
 
 const axisOfNeck = (y: number): number => 0.03 + 0.1 * (y - 1.4);
 
@@ -64,9 +48,9 @@ function flattenRelief(geometry: THREE.BufferGeometry): void {
  * @param scene  of tests/data/heads/mpfb_head_base.glb
  * @return  by the names of their materials: skin, scalp, eyes
  */
-export function bundledHeadParts(scene: THREE.Object3D): Map<string, HeadPart> {
+export function bundledHeadParts(scene: THREE.Object3D, { scale, position }: HeadPlace = kHeadPlace): Map<string, HeadPart> {
   const parts = new Map<string, HeadPart>();
-  const place = new THREE.Matrix4().makeScale(...kScale).setPosition(...kPosition);
+  const place = new THREE.Matrix4().makeScale(...scale).setPosition(...position);
   scene.traverse((node) => {
     if (!(node instanceof THREE.Mesh)) return;
     const { geometry, material } = node as THREE.Mesh<THREE.BufferGeometry, THREE.Material>;

@@ -1,17 +1,25 @@
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import headUrl from "../../../../tests/data/heads/mpfb_head_base.glb?url";
-import { bundledHeadParts, kFaceBox, kFaceFront } from "./bundledHeadParts";
+import { bundledHeadParts } from "./bundledHeadParts";
 import { drawFace, type FaceLook } from "./drawFace";
 import { hairTones } from "./hairTones";
+import { type HeadPlace, kHeadPlace } from "./HeadPlace";
 import { outlineMaterial } from "./outlineMaterial";
 import { outlineOf } from "./outlineOf";
 import type { PaintedHead } from "./PaintedHead";
+import { placedFace } from "./placedFace";
 import { setTones } from "./setTones";
 import { kSkin } from "./skinPaint";
 import { surfaceOf } from "./surfaceOf";
 import { toonMaterial } from "./toonMaterial";
 import { weldedMesh } from "./weldedMesh";
+
+/** What may differ from the studio's own head. */
+export interface BundledHeadOptions {
+  readonly place?: HeadPlace;
+  readonly iris?: FaceLook["iris"];
+}
 
 const kFaceSize = 1024; // pixels a side
 const kIris: FaceLook["iris"] = ["#3a2568", "#6a55c0", "#b9a6f2"];
@@ -26,18 +34,18 @@ function faceContext(): CanvasRenderingContext2D {
 }
 
 /**
- * The head that comes with the studio: MakeHuman's, painted flat, with a drawn face. Its center is the origin, the crown at y = 0.1.
+ * The head that comes with the studio: MakeHuman's, painted flat, with a drawn face.
  * @throws Error if its file is not there
  */
-export async function loadBundledHead(): Promise<PaintedHead> {
-  const parts = bundledHeadParts((await new GLTFLoader().loadAsync(headUrl)).scene);
-  const { tones, light } = kSkin;
+export async function loadBundledHead({ place = kHeadPlace, iris = kIris }: BundledHeadOptions = {}): Promise<PaintedHead> {
+  const parts = bundledHeadParts((await new GLTFLoader().loadAsync(headUrl)).scene, place);
+  const { light } = kSkin;
   const start = hairTones("#6a5a78").tones;
   const face = faceContext();
-  drawFace(face, { iris: kIris, brow: start[0] });
+  drawFace(face, { iris, brow: start[0] });
   const texture = new THREE.CanvasTexture(face.canvas);
   texture.anisotropy = 4;
-  const skin = toonMaterial({ tones, light, decal: { texture, box: kFaceBox, front: kFaceFront } });
+  const skin = toonMaterial({ tones: kSkin.tones, light, decal: { texture, ...placedFace(place) } });
   const scalp = toonMaterial({ tones: start, light });
   const line = outlineMaterial(kSkin.line, kSkin.pixels, kLineBehind);
   const group = new THREE.Group();
@@ -52,9 +60,9 @@ export async function loadBundledHead(): Promise<PaintedHead> {
     group,
     surface,
     scalp: weldedMesh(parts.get("scalp")?.painted.getAttribute("position").array ?? []),
-    setScalpTones(hair) {
-      setTones(scalp, hair);
-      drawFace(face, { iris: kIris, brow: hair[0] });
+    setScalpTones(tones, brow = tones[0]) {
+      setTones(scalp, tones);
+      drawFace(face, { iris, brow });
       texture.needsUpdate = true;
     },
     dispose() {
