@@ -2,27 +2,32 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 
-import { openPage } from "./browser.mjs";
+import { openBrowser } from "./browser.mjs";
+import { takeHero } from "./hero.mjs";
+import { openPainter } from "./painter.mjs";
 import { encode } from "./png.mjs";
-import { hairFrom } from "./service.mjs";
 
 const kFolder = fileURLToPath(new URL("../../docs/images/", import.meta.url));
 const kColors = { hero: 128, heads: 256, ponytail: 256, tufts: 256, steps: 256, fills: 256, six: 256, uploads: 256 };
 
-async function render(page, name) {
-  const { frames, fps } = await page.evaluate((wanted) => window.drawPicture(wanted), name);
-  const pngs = frames.map(({ png, hold }) => ({ png: Buffer.from(png.split(",")[1], "base64"), hold }));
-  const { file, width, height } = encode(pngs, fps, kColors[name]);
+async function write(name, { frames, fps }) {
+  const { file, width, height } = encode(frames, fps, kColors[name]);
   await writeFile(`${kFolder}${name}.png`, file);
   console.log(`docs/images/${name}.png ${width}x${height}, ${frames.length} pictures, ${Math.ceil(file.length / 1000)} kB`);
 }
 
 const url = process.env.TUFTWAVE_URL ?? "http://127.0.0.1:8080";
 const wanted = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(kColors);
-const { page, close } = await openPage(hairFrom(url));
+const browser = await openBrowser();
 try {
   await mkdir(kFolder, { recursive: true });
-  for (const name of wanted) await render(page, name);
+  if (wanted.includes("hero")) await write("hero", await takeHero(browser, url));
+  const painted = wanted.filter((name) => name !== "hero");
+  if (painted.length > 0) {
+    const { draw, close } = await openPainter(browser, url);
+    for (const name of painted) await write(name, await draw(name));
+    await close();
+  }
 } finally {
-  await close();
+  await browser.close();
 }

@@ -1,8 +1,9 @@
 // Moving hair from the service: the GLB, painted, and its pictures.
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { outlineMaterial, outlineOf } from "./outline.mjs";
-import { toonMaterial } from "./toon.mjs";
+import { outlineMaterial } from "../../../client-examples/studio/src/paint/outlineMaterial";
+import { outlineOf } from "../../../client-examples/studio/src/paint/outlineOf";
+import { toonMaterial } from "../../../client-examples/studio/src/paint/toonMaterial";
 
 const answers = new Map();
 

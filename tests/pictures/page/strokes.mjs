@@ -1,6 +1,6 @@
 // The strokes of a request as a person drew them: lines with their points.
 import * as THREE from "three";
-import { toonMaterial } from "./toon.mjs";
+import { toonMaterial } from "../../../client-examples/studio/src/paint/toonMaterial";
 
 const kThread = 0.0009; // metres
 const kBead = 0.0021;

@@ -1,8 +1,9 @@
 // A whole character that came back from the service with a clip: its own textures, flat, and an ink line around it.
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { outlineMaterial, outlineOf } from "./outline.mjs";
-import { toonMaterial } from "./toon.mjs";
+import { outlineMaterial } from "../../../client-examples/studio/src/paint/outlineMaterial";
+import { outlineOf } from "../../../client-examples/studio/src/paint/outlineOf";
+import { toonMaterial } from "../../../client-examples/studio/src/paint/toonMaterial";
 
 const kLine = "#3a2c3f";
 

@@ -1,7 +1,7 @@
 // fills.png: figures 10 and 11 of the paper in our hands: two tufts, and what is filled between them step by step.
 import { loadCharacter } from "../characters.mjs";
 import { kInk, kPaleInk, makeCanvas, writeText } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera } from "../stage.mjs";
+import { disposeScene, drawScene, makeCamera } from "../stage.mjs";
 
 const kTile = { width: 190, height: 210 };
 const kLabel = 48;
@@ -19,7 +19,7 @@ export async function drawFills() {
     const x = (column + 0.5) * kTile.width, y = kViews.length * kTile.height;
     writeText(context, first, x, y + 10, { size: 14, color: kInk });
     writeText(context, `${hair.tufts} tufts`, x, y + 30, { size: 12, color: kPaleInk });
-    disposeStage(scene);
+    disposeScene(scene);
   }
   return { frames: [{ canvas, hold: 1 }], fps: 24 };
 }

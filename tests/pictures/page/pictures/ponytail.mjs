@@ -1,7 +1,7 @@
 // ponytail.png: 1,648 strands, a thin tuft each, in calm air.
 import { loadCharacter } from "../characters.mjs";
 import { makeCanvas } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera } from "../stage.mjs";
+import { disposeScene, drawScene, makeCamera } from "../stage.mjs";
 
 const kHeight = 440;
 const kViews = [
@@ -18,6 +18,6 @@ export async function drawPonytail() {
     drawScene(context, scene, makeCamera({ ...view, height: 0.408 }), { x, y: 0, width: view.width, height: kHeight });
     x += view.width;
   }
-  disposeStage(scene);
+  disposeScene(scene);
   return { frames: [{ canvas, hold: 1 }], fps: 24 };
 }

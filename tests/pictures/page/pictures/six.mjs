@@ -1,7 +1,7 @@
 // six.png: six drawn tufts, and the head of hair that three fills make of them.
 import { loadCharacter } from "../characters.mjs";
 import { makeCanvas, writeText } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera } from "../stage.mjs";
+import { disposeScene, drawScene, makeCamera } from "../stage.mjs";
 
 const kTile = { width: 300, height: 340 };
 const kLabel = 36;
@@ -17,10 +17,10 @@ export async function drawSix() {
 
   const drawn = await loadCharacter("bob", "drawn");
   draw(drawn.scene, kViews[0], 0);
-  disposeStage(drawn.scene);
+  disposeScene(drawn.scene);
   const filled = await loadCharacter("bob", "none");
   for (const [i, view] of kViews.entries()) draw(filled.scene, view, i + 1);
-  disposeStage(filled.scene);
+  disposeScene(filled.scene);
   label(`${drawn.hair.tufts} tufts drawn`, 0);
   label(`${filled.hair.tufts} with three fills`, 1.5);
   return { frames: [{ canvas, hold: 1 }], fps: 24 };

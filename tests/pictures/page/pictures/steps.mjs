@@ -1,9 +1,10 @@
 // steps.png: the strokes, the tufts that they become, and the cycle's pictures on top of each other.
+import { setTones } from "../../../../client-examples/studio/src/paint/setTones";
+import { kSkin } from "../../../../client-examples/studio/src/paint/skinPaint";
 import { loadCharacter } from "../characters.mjs";
-import { kAccent, kInk, kPaleInk, kSkin, makeCanvas, writeText } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera } from "../stage.mjs";
+import { kAccent, kInk, kPaleInk, makeCanvas, writeText } from "../paint.mjs";
+import { disposeScene, drawScene, makeCamera } from "../stage.mjs";
 import { makeStrokes } from "../strokes.mjs";
-import { setTones } from "../toon.mjs";
 
 const kTile = { width: 300, height: 350 };
 const kArrow = 30;
@@ -26,23 +27,23 @@ function drawArrow(context, x, y) {
 
 /** The other pictures of the cycle, hair only, as through paper on a light table. */
 function drawOtherPictures(context, scene, { hair, head }, camera, tile) {
-  head.visible = false;
+  head.group.visible = false;
   for (let picture = hair.schedule.pictures - 1; picture >= 0; picture--) {
     if (picture === kTop) continue;
     const [fill, line] = kGhosts[picture];
     setTones(hair.material, [fill, fill, fill]);
     hair.material.uniforms.band.value.y = 0;
-    hair.line.uniforms.color.value.set(line);
+    hair.line.uniforms.line.value.set(line);
     hair.showPicture(picture);
     drawScene(context, scene, camera, tile);
   }
-  head.visible = true;
+  head.group.visible = true;
 }
 
 function drawTopPicture(context, scene, { hair, paint }, camera, tile) {
   setTones(hair.material, paint.tones);
   hair.material.uniforms.band.value.set(...paint.band);
-  hair.line.uniforms.color.value.set(paint.line);
+  hair.line.uniforms.line.value.set(paint.line);
   hair.showPicture(kTop);
   drawScene(context, scene, camera, tile);
 }
@@ -55,15 +56,15 @@ export async function drawSteps() {
   const still = await loadCharacter("vita", "none");
   drawScene(context, still.scene, camera, tile(1));
   still.hair.group.visible = false;
-  setTones(still.head.userData.scalp, kSkin.tones);
+  still.head.setScalpTones(kSkin.tones, still.paint.tones[0]);
   still.scene.add(makeStrokes(still.request.tufts, { line: kInk, point: "#4aa8c4", root: kAccent }));
   drawScene(context, still.scene, camera, tile(0));
-  disposeStage(still.scene);
+  disposeScene(still.scene);
 
   const moving = await loadCharacter("vita", "breeze");
   drawOtherPictures(context, moving.scene, moving, camera, tile(2));
   drawTopPicture(context, moving.scene, moving, camera, tile(2));
-  disposeStage(moving.scene);
+  disposeScene(moving.scene);
 
   for (const column of [0, 1]) drawArrow(context, (column + 1) * kTile.width + (column + 0.5) * kArrow, kTile.height / 2);
   const labels = [`${still.request.tufts.length} strokes`, `${still.request.tufts.length} tufts`, `${moving.hair.schedule.pictures} pictures`];

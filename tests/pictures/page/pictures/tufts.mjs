@@ -1,7 +1,7 @@
 // tufts.png: what the numbers of a tuft do.
 import { loadHair } from "../hair.mjs";
 import { kHair, kPaleInk, makeCanvas, writeText } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera, makeStage } from "../stage.mjs";
+import { disposeScene, drawScene, makeCamera, makeScene } from "../stage.mjs";
 
 const kTile = { width: 128, height: 220 };
 const kRows = [
@@ -18,11 +18,11 @@ const kRows = [
 const kLabel = 48;
 
 async function drawTuft(context, name, paint, tile) {
-  const scene = makeStage({ center: [0, 0.1, 0] });
+  const scene = makeScene({ center: [0, 0.1, 0] });
   const hair = await loadHair(name, { ...paint, roundness: 0, band: [0.45, 0.1] });
   scene.add(hair.group);
   drawScene(context, scene, makeCamera({ at: [0, 0.105, 0], azimuth_deg: 20, elevation_deg: 8, height: 0.26 }), tile);
-  disposeStage(scene);
+  disposeScene(scene);
 }
 
 export async function drawTufts() {

@@ -1,7 +1,7 @@
 // uploads.png: two characters that others made, posted as they are, in a breeze.
 import { drawExposureSheet } from "../exposure_sheet.mjs";
 import { makeCanvas } from "../paint.mjs";
-import { disposeStage, drawScene, makeCamera, makeStage } from "../stage.mjs";
+import { disposeScene, drawScene, makeCamera, makeScene } from "../stage.mjs";
 import { loadUploaded } from "../uploaded.mjs";
 
 const kTile = { width: 240, height: 360 };
@@ -15,21 +15,21 @@ const kTiles = [
 export async function drawUploads() {
   const tiles = [];
   for (const tile of kTiles) {
-    const stage = makeStage({ center: tile.at });
+    const scene = makeScene({ center: tile.at });
     const uploaded = await loadUploaded(tile.name);
-    stage.add(uploaded.group);
-    tiles.push({ ...tile, stage, uploaded });
+    scene.add(uploaded.group);
+    tiles.push({ ...tile, scene, uploaded });
   }
   const { schedule } = tiles[0].uploaded;
   const frames = schedule.holds.map((hold, picture) => {
     const { canvas, context } = makeCanvas(tiles.length * kTile.width, kTile.height + kSheet);
-    for (const [column, { stage, uploaded, ...view }] of tiles.entries()) {
+    for (const [column, { scene, uploaded, ...view }] of tiles.entries()) {
       uploaded.showPicture(picture);
-      drawScene(context, stage, makeCamera(view), { x: column * kTile.width, y: 0, ...kTile });
+      drawScene(context, scene, makeCamera(view), { x: column * kTile.width, y: 0, ...kTile });
     }
     drawExposureSheet(context, schedule, picture, { x: canvas.width / 2, y: kTile.height + 24 });
     return { canvas, hold };
   });
-  for (const { stage } of tiles) disposeStage(stage);
+  for (const { scene } of tiles) disposeScene(scene);
   return { frames, fps: schedule.fps };
 }
