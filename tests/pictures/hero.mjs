@@ -7,11 +7,12 @@ import { serveStudio } from "./studio.mjs";
 /** What is opened; any hairstyle without fills will do, such as one that the studio saved. */
 const kHairstyle = { name: "bob", make: (url) => fillsKept(url, { ...kFills["bob-none"], mesh: { color: "#4fb0c6" } }) };
 const kWindow = { width: 1280, height: 800 };
+const kSamples = 2; // a side of each pixel
 const kScale = 0.75; // pixels of the picture for one of the page
 
 /** Opens the studio in Move and waits for its hair. @return  the page and the schedule of the cycle */
 async function openMove(browser, address, kept) {
-  const page = await newPage(browser, { viewport: kWindow, deviceScaleFactor: kScale, locale: "en-US", colorScheme: "light", reducedMotion: "reduce" });
+  const page = await newPage(browser, { viewport: kWindow, deviceScaleFactor: kSamples * kScale, locale: "en-US", colorScheme: "light", reducedMotion: "reduce" });
   await page.addInitScript((document) => localStorage.setItem("tuftwave.document", JSON.stringify(document)), kept);
   await page.goto(address);
   await page.locator(".stage-canvas").waitFor();
@@ -19,11 +20,12 @@ async function openMove(browser, address, kept) {
   await page.getByRole("button", { name: "Move" }).click();
   const { schedule } = await (await answer).json();
   await page.mouse.move(0, 0);
+  await page.evaluate(() => document.activeElement.blur()); // no ring around what was pressed
   await page.waitForLoadState("networkidle");
   return { page, schedule };
 }
 
-/** @param url  of the service; @return  frames, png (a Buffer) and hold each, and fps */
+/** @param url  of the service; @return  frames, fps and samples; see encode */
 export async function takeHero(browser, url) {
   const server = await serveStudio(url);
   const { page, schedule } = await openMove(browser, server.url, { name: kHairstyle.name, hairstyle: await kHairstyle.make(url) });
@@ -35,5 +37,5 @@ export async function takeHero(browser, url) {
   }
   await page.close();
   await server.close();
-  return { frames, fps: schedule.fps };
+  return { frames, fps: schedule.fps, samples: kSamples };
 }

@@ -10,10 +10,10 @@ import { encode } from "./png.mjs";
 const kFolder = fileURLToPath(new URL("../../docs/images/", import.meta.url));
 const kColors = { hero: 128, heads: 256, ponytail: 256, tufts: 256, steps: 256, fills: 256, six: 256, uploads: 256 };
 
-async function write(name, { frames, fps }) {
-  const { file, width, height } = encode(frames, fps, kColors[name]);
+async function write(name, taken) {
+  const { file, width, height } = encode(taken, kColors[name]);
   await writeFile(`${kFolder}${name}.png`, file);
-  console.log(`docs/images/${name}.png ${width}x${height}, ${frames.length} pictures, ${Math.ceil(file.length / 1000)} kB`);
+  console.log(`docs/images/${name}.png ${width}x${height}, ${taken.frames.length} pictures, ${Math.ceil(file.length / 1000)} kB`);
 }
 
 const url = process.env.TUFTWAVE_URL ?? "http://127.0.0.1:8080";
