@@ -5,8 +5,8 @@ import type { stageText } from "../text/stageText";
 import type { Scene } from "./Scene";
 import type { Tool } from "./Tool";
 
-const kArm = 0.17; // metres from the center to the handle, on a head of the bundled one's size
-const kStart = 0.135; // outside of the head
+const kArm = 0.2; // metres from the center to the handle, on a head of the bundled one's size
+const kStart = 0.16; // outside of the head and of most hair
 const kBarb = { from: 0.012, tip: 0.034, half: 0.014 }; // of the arrow, beyond its handle
 const kTurn = Math.PI / 24; // per arrow key
 
