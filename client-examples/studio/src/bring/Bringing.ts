@@ -49,7 +49,8 @@ export class Bringing {
       if (error instanceof RangeError) return { kind: "empty", name };
       return { kind: "unshown", name };
     });
-    if (!running.signal.aborted) this.message.value = message;
+    const isAnswered = message === null && this.message.value?.kind !== "opening"; // it could not be kept, say
+    if (!running.signal.aborted && !isAnswered) this.message.value = message;
   }
 
   /** Brings back what was there before a reload. */

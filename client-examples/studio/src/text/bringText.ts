@@ -44,7 +44,7 @@ export const bringText: { readonly en: typeof en; readonly ja: typeof en } = {
     bones: (count) => `ボーン ${count} 個`,
     unnamed: (index) => `チェーン ${index + 1}`,
     nothingMoves: "何も選ばれていないので、動きません。",
-    takeCharacter: "動き付きのファイルを書き出す",
+    takeCharacter: "動き付きで書き出す",
     taking: "ファイルを作成しています…",
     drawOnIt: "この頭に描く",
   },
