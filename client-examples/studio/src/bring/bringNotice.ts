@@ -16,7 +16,7 @@ function linesOf(message: BringMessage): string[] {
 
 /** Says over the picture what became of a file, until it is dismissed. @return  the element, and what ends it */
 export function bringNotice(message: Signal<BringMessage | null>): { readonly element: HTMLElement; readonly end: () => void } {
-  const notice = element("div", { className: "stage-problem bring-notice", role: "alert" });
+  const notice = element("div", { className: "bring-notice", role: "alert" });
   const end = message.follow((one) => {
     notice.hidden = one === null;
     notice.classList.toggle("is-busy", one?.kind === "opening");
