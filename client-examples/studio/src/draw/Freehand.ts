@@ -8,7 +8,6 @@ import { strokeWidth } from "./strokeWidth";
 // Metres, on a head of the bundled one's size.
 const kClearance = 0.012; // of the line from the scalp: hair lies on hair
 const kRise = 0.03; // from the root, over which the line rises to it
-const kGrazing = 0.5; // cosine; where the head falls away from the eye more steeply, hair lies nearer to it
 const kJump = 0.04; // a deeper step is behind a chin or an ear: the line goes on as it was
 const kTolerance = 0.0025; // of simplification, less than a tuft's own width
 const kFurthest = 1.5; // from the root
@@ -69,8 +68,8 @@ export class Freehand {
     const hit = this.canvas.hit(ray);
     if (hit) {
       const clearance = kClearance * scale * Math.min(1, (this.way + hit.point.distanceTo(last)) / (kRise * scale));
-      // Towards the eye and not along the normal, so that the line stays under the pointer.
-      const place = hit.point.clone().addScaledVector(ray.direction, -clearance / Math.max(kGrazing, -hit.normal.dot(ray.direction)));
+      // Halfway between the normal and the eye: hair keeps its volume at the edge of the head, and yet stays near the pointer.
+      const place = hit.point.clone().addScaledVector(hit.normal.clone().sub(ray.direction).normalize(), clearance);
       if (Math.abs(place.clone().sub(last).dot(view)) < kJump * scale) return place;
     }
     return ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(view, last), new Vector3());
