@@ -44,7 +44,7 @@ async function picture(page, artist) {
 
 async function make(browser, url, name) {
   const { steps } = await import(new URL(`recipes/${name}.mjs`, here));
-  const page = await browser.newPage({ viewport: { width: 780, height: 620 }, locale: "en-US" });
+  const page = await browser.newPage({ viewport: { width: 900, height: 620 }, locale: "en-US" });
   page.setDefaultTimeout(20_000);
   await page.addInitScript(slowFrames, kPace_ms);
   await page.goto(url);
@@ -63,7 +63,7 @@ async function make(browser, url, name) {
   console.log(`${name}: ${hairstyle.tufts.length} tufts, a picture of ${webp.length} bytes`);
 }
 
-const vite = await createServer({ root: fileURLToPath(new URL("../", here)), server: { host: "127.0.0.1", port: 0 }, logLevel: "error" });
+const vite = await createServer({ root: fileURLToPath(new URL("../", here)), server: { host: "127.0.0.1", port: 0, hmr: false, watch: null }, logLevel: "error" });
 await vite.listen();
 const url = `http://127.0.0.1:${vite.httpServer.address().port}/studio/`;
 const browser = await chromium.launch({

@@ -5,7 +5,7 @@ export const steps = [
   color("#d17a52"),
   pen({ thickness: 58, widest: 60, flat: 0.6, taper: "sine" }),
   stroke("under", "back", [0, 2.5], [0.2, -3], [0, -8], [0.5, -12.8]),
-  pair("under_side", "left", [1.4, 4], [1.6, -1], [1.4, -7], [0, -12.6]),
+  pair("under_side", "left", [3.4, 4], [4, -1], [3.8, -7], [2.4, -12.6]),
   fill("under", "under_side_L", { along: 62, seed: 3 }),
   fill("under", "under_side_R", { along: 62, seed: 4 }),
   pen({ thickness: 64, widest: 55, flat: 0.62 }),

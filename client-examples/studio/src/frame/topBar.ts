@@ -3,6 +3,7 @@ import { element } from "../base/element";
 import type { Part } from "../base/Part";
 import { theme, type Theme } from "../base/theme";
 import { openButton } from "../bring/openButton";
+import { GalleryDialog } from "../gallery/GalleryDialog";
 import { language } from "../text/language";
 import { iconButton } from "../widgets/iconButton";
 
@@ -25,6 +26,7 @@ export function topBar(app: App): Part {
     element("div", { className: "bar-group" }, undo, redo),
     element("div", { className: "bar-group" },
       iconButton("fresh", words.fresh, () => studio.edit(() => app.bring.fresh()), { shows_name: true }),
+      iconButton("gallery", words.gallery, () => new GalleryDialog(studio).show(), { shows_name: true }),
       openButton(words.open, (file) => void app.bring.open(file)),
       iconButton("save", words.takeAway, () => app.takeAway(), { shows_name: true, shortcut: "Ctrl+S" })),
     element("div", { className: "bar-space" }),
