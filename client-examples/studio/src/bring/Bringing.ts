@@ -61,7 +61,10 @@ export class Bringing {
       this.heads.follow();
     }
     const character = await this.files.get<BroughtCharacter>("character");
-    if (character) await this.guest.welcome(character).catch(() => void this.files.put("character", null));
+    if (!character) return;
+    const isThere = await this.guest.welcome(character).catch(() => false);
+    if (!isThere) await this.files.put("character", null);
+    else if (this.studio.document.tufts.length === 0) this.studio.mode.value = "move"; // else hair was being drawn
   }
 
   /** The character becomes the head to draw on. */
@@ -78,16 +81,23 @@ export class Bringing {
     this.studio.mode.value = "draw";
   }
 
-  /** Takes away what came as a file: the character first, else the head. */
+  /** Takes away what came as a file: the character and the head; hair moves to the bundled one. */
   backToBundledHead(): void {
     this.guest.leave();
     if (this.heads.shown.value) this.heads.wear(null);
   }
 
   /** A new document, on the head that is shown. */
-  fresh(): StudioDocument {
+  begin(): void {
+    this.guest.leave();
     const shown = this.heads.shown.value;
-    return shown ? { ...newDocument(), head: shown.head } : newDocument();
+    this.studio.edit(() => (shown ? { ...newDocument(), head: shown.head } : newDocument()));
+  }
+
+  /** A document that comes from elsewhere, as one step; a character makes room for it. */
+  show(document: StudioDocument): void {
+    this.guest.leave();
+    this.studio.edit(() => document);
   }
 
   private async keep(place: string, file: { readonly name: string } | null): Promise<void> {
@@ -104,12 +114,17 @@ export class Bringing {
     if (found.kind === "hairstyle") {
       const document = await openHairstyle(this.studio.service, found.hairstyle, name.replace(/\.[^.]*$/, ""), signal);
       signal.throwIfAborted();
-      this.studio.edit(() => document);
+      this.show(document);
       return null;
     }
     const answer = await this.studio.service.json<CharacterChainsAnswer>("/v1/characters/chains", { body: bytes, signal });
-    if (answer.chains.length > 0) await this.guest.welcome({ name, bytes, found: answer, chosen: firstChosen(answer) }, signal);
-    else await this.wear(name, bytes, answer, signal);
+    if (answer.chains.length > 0) {
+      const isThere = await this.guest.welcome({ name, bytes, found: answer, chosen: firstChosen(answer) }, signal);
+      if (isThere) this.studio.mode.value = "move";
+    } else {
+      await this.wear(name, bytes, answer, signal);
+      if (!signal.aborted) this.guest.leave();
+    }
     return null;
   }
 

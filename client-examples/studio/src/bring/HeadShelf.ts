@@ -46,7 +46,8 @@ export class HeadShelf {
   /** Moves the document's hair to a head, as one step; null is the bundled one. */
   wear(brought: BroughtHead | null): void {
     const head = (this.places.find((place) => place.brought === brought) ?? this.places[0]!).head;
-    this.studio.edit((document) => moveToHead(document, head));
+    const isWorn = JSON.stringify(this.studio.document.head) === JSON.stringify(head); // the same file again is no step
+    if (!isWorn) this.studio.edit((document) => moveToHead(document, head));
     this.follow();
   }
 

@@ -16,9 +16,10 @@ function linesOf(message: BringMessage): string[] {
 
 /** Says over the picture what became of a file, until it is dismissed. @return  the element, and what ends it */
 export function bringNotice(message: Signal<BringMessage | null>): { readonly element: HTMLElement; readonly end: () => void } {
-  const notice = element("div", { className: "bring-notice", role: "alert" });
+  const notice = element("div", { className: "bring-notice" });
   const end = message.follow((one) => {
     notice.hidden = one === null;
+    notice.setAttribute("role", one?.kind === "opening" ? "status" : "alert");
     notice.classList.toggle("is-busy", one?.kind === "opening");
     if (!one) return notice.replaceChildren();
     const [first, ...more] = linesOf(one).map((line, i) => element(i === 0 ? "strong" : "p", {}, line));

@@ -21,18 +21,26 @@ export class CharacterGuest {
     for (const signal of [studio.history.current, studio.mode, studio.compares]) signal.changed(() => this.load());
   }
 
-  /** Shows a character, and moves it. @throws as CharacterView.load does; then all stays as it is */
-  async welcome(character: BroughtCharacter, signal?: AbortSignal): Promise<void> {
+  /**
+   * Takes a character in.
+   * @return  whether it is there: not if `signal` said meanwhile that it is not wanted any more
+   * @throws as CharacterView.load does; then all stays as it is
+   */
+  async welcome(character: BroughtCharacter, signal?: AbortSignal): Promise<boolean> {
     const view = await CharacterView.load(character);
-    if (signal?.aborted) return view.dispose();
+    if (signal?.aborted) {
+      view.dispose();
+      return false;
+    }
     this.show(view);
     this.character.value = character;
-    this.studio.mode.value = "move";
     this.load();
+    return true;
   }
 
   /** Takes the character away. */
   leave(): void {
+    if (!this.character.value) return;
     this.character.value = null;
     this.loader.clear();
     this.show(null);

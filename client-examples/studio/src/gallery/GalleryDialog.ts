@@ -1,5 +1,6 @@
 import { element } from "../base/element";
 import { fromHairstyle } from "../model/fromHairstyle";
+import type { StudioDocument } from "../model/StudioDocument";
 import type { Studio } from "../Studio";
 import { galleryText } from "../text/galleryText";
 import { language } from "../text/language";
@@ -12,7 +13,8 @@ export class GalleryDialog {
   private readonly words = galleryText[language.value];
   private readonly dialog: Dialog;
 
-  constructor(private readonly studio: Studio) {
+  /** @param onOpen  takes the hairstyle that was picked */
+  constructor(private readonly studio: Studio, private readonly onOpen: (document: StudioDocument) => void) {
     const cards = element("ul", { className: "gallery-cards" }, ...gallery.map((entry) => element("li", {}, this.card(entry))));
     this.dialog = new Dialog(this.words.title, this.words.close, element("p", { className: "help" }, this.words.help), cards);
     this.dialog.element.classList.add("gallery-dialog");
@@ -35,7 +37,7 @@ export class GalleryDialog {
 
   private open({ name, hairstyle }: GalleryEntry): void {
     this.studio.select([]);
-    this.studio.edit(() => fromHairstyle(hairstyle, this.words.names[name]));
+    this.onOpen(fromHairstyle(hairstyle, this.words.names[name]));
     this.dialog.close();
   }
 }

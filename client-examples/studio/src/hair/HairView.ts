@@ -1,6 +1,6 @@
 import { Group, Raycaster, type BufferGeometry, type Ray } from "three";
 import { MeshBVH, acceleratedRaycast } from "three-mesh-bvh";
-import type { Vec3 } from "../api/contract";
+import type { HeadBall } from "../model/HeadBall";
 import { hairTones } from "../paint/hairTones";
 import { PoseTexture } from "../paint/PoseTexture";
 import { setHairTones } from "../paint/setHairTones";
@@ -12,6 +12,7 @@ import { TuftSet, type PlacedTuft } from "./TuftSet";
 
 const kGhost = 0.22; // opacity of the pictures before and after
 const kRest = -1; // as a picture
+const kLineBehind = 0.018; // of the head's radius; see outlineMaterial
 const kHovered = 0.25;
 const kSelected = 0.45;
 
@@ -77,8 +78,10 @@ export class HairView {
     setHairTones(this.limitedPaint, hairTones(color));
   }
 
-  setCenter(center: Vec3): void {
+  /** The head that the hair is on. */
+  setHead({ center, radius }: HeadBall): void {
     this.limitedPaint.center.value.set(...center);
+    this.limitedPaint.behind.value = kLineBehind * radius;
   }
 
   /** A still of the cycle; null is the hair at rest. @param onion  whether the one before and the one after shine through */

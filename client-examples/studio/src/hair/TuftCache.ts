@@ -50,7 +50,9 @@ export class TuftCache {
 
 /** Coarser than what is taken away, by half: 200 tufts have 42,000 vertices and not 81,000, and look the same on the screen. */
 function screenDetail({ diameter_at_100 }: Head): { sides: number; tolerance: number } {
-  return { sides: kSides, tolerance: kTolerance * (diameter_at_100 ?? rangeOf("Head", "diameter_at_100").default!) };
+  const { minimum, maximum } = rangeOf("MeshDetail", "tolerance");
+  const wanted = kTolerance * (diameter_at_100 ?? rangeOf("Head", "diameter_at_100").default!);
+  return { sides: kSides, tolerance: Math.min(maximum, Math.max(minimum, wanted)) };
 }
 
 /** Without what belongs to the page. */

@@ -1,14 +1,12 @@
 import * as THREE from "three";
 import type { BaseColor } from "./baseColorOf";
+import { colorParts } from "./colorParts";
 import { kSkin } from "./skinPaint";
+import { scaleColor } from "./scaleColor";
 import { skinTones } from "./skinTones";
 import { toonMaterial } from "./toonMaterial";
 
 const kTints = ["#c3aebf", "#dfd0da", "#ffffff"] as const; // multiply a picture
-
-function tinted(tint: string, color: string): string {
-  return `#${new THREE.Color(tint).multiply(new THREE.Color(color)).getHexString(THREE.LinearSRGBColorSpace)}`;
-}
 
 /**
  * A material's base color in three tones, its picture kept. Disposing of the material does not dispose of its ramp and its picture:
@@ -20,5 +18,5 @@ export function toonOf({ map, color, side }: BaseColor, isSkin: boolean): THREE.
   if (!map) return toonMaterial({ tones: isSkin ? kSkin.tones : skinTones(color), light, side });
   const shown = map.clone(); // as the file has its bytes: without a change of color space
   shown.colorSpace = THREE.NoColorSpace;
-  return toonMaterial({ tones: kTints.map((tint) => tinted(tint, color)), light, side, map: shown });
+  return toonMaterial({ tones: kTints.map((tint) => scaleColor(tint, colorParts(color))), light, side, map: shown });
 }

@@ -26,7 +26,7 @@ export class Fields {
 
   /** Shows each fault of a problem at its field. @return  whether the first one has a field that is on show */
   show(problem: ServiceProblem | null): boolean {
-    const faults = (problem?.fields ?? []).map(({ pointer, detail }) => ({ field: pointer.replace(/\/\d+/g, ""), detail }));
+    const faults = (problem?.fields ?? []).map(({ pointer, detail }) => ({ field: this.fieldOf(pointer), detail }));
     let isShown = false;
     for (const { field, slider } of this.sliders) {
       const fault = faults.find((one) => one.field === field);
@@ -34,5 +34,11 @@ export class Fields {
       if (fault === faults[0] && fault && slider.element.checkVisibility()) isShown = true;
     }
     return isShown;
+  }
+
+  /** A problem of a query names a field by its last word: "?amplitude". */
+  private fieldOf(pointer: string): string {
+    if (!pointer.startsWith("?")) return pointer.replace(/\/\d+/g, "");
+    return this.sliders.find(({ field }) => field.endsWith(`/${pointer.slice(1)}`))?.field ?? pointer;
   }
 }

@@ -2,6 +2,7 @@ import type { BufferGeometry } from "three";
 import { tuftGeometry } from "../hair/tuftGeometry";
 import type { TuftMesh } from "../hair/TuftMesh";
 import { TuftSet } from "../hair/TuftSet";
+import type { HeadBall } from "../model/HeadBall";
 import { hairTones } from "../paint/hairTones";
 import { PoseTexture } from "../paint/PoseTexture";
 import { setHairTones } from "../paint/setHairTones";
@@ -32,6 +33,11 @@ export class GhostView {
     this.tufts.set(this.geometries.map((geometry, id) => ({ id, geometry, firstJoint: 0 })));
     this.tufts.highlight(() => kTint);
     for (const geometry of old) geometry.dispose();
+  }
+
+  /** The head that they are on. */
+  setHead({ center }: HeadBall): void {
+    this.paint.center.value.set(...center);
   }
 
   setColor(color: string): void {

@@ -72,7 +72,6 @@ export class HairStage implements Scene {
     for (const signal of [studio.isOnion, studio.compares]) signal.changed(() => this.viewport.invalidate());
     let color = "";
     studio.history.current.follow((document) => {
-      this.hair.setCenter(document.head.center ?? [0, 0, 0]);
       if (document.color !== color) this.setColor((color = document.color));
     });
     language.changed(() => this.viewport.canvas.setAttribute("aria-label", words().picture));
@@ -89,12 +88,15 @@ export class HairStage implements Scene {
     this.painted.dispose();
     this.painted = painted;
     this.headBall = ball;
+    this.hair.setHead(ball);
+    this.ghost.setHead(ball);
     this.front = front;
     this.studio.scalp.value = painted.scalp;
     this.viewport.stage.scene.add(painted.group);
     this.head.value = new HeadSurface(painted.surface);
     this.setColor(this.studio.document.color);
     this.showSubject();
+    this.viewport.use(this.tools[this.studio.mode.value]); // what it shows is as large as the head
   }
 
   /** A character that is shown while things move; null is none. It stays with those who made it. */

@@ -24,6 +24,7 @@ export class CyclePainter {
   /** @param color  #rrggbb */
   constructor(private readonly stage: HairStage, hair: LoadedHair, color: string) {
     this.view = new HairView(color);
+    this.view.setHead(stage.ball);
     this.view.show(hair);
   }
 
