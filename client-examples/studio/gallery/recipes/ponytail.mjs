@@ -1,10 +1,13 @@
 import { color, motion, pair, pen, plane, planePair, stroke } from "../steps.mjs";
 
+/** From further round, so that the tail is seen. */
+export const view = "quarter -4";
+
 /** A high ponytail with side locks. */
 export const steps = [
   color("#f2c46b"),
   // combed to the tie, from below, from the sides and from the front
-  pen({ thickness: 46, widest: 45, flat: 0.75, taper: "sine" }),
+  pen({ thickness: 46, widest: 45, flat: 0.82, taper: "sine" }),
   stroke("nape", "back", [0, -8.6], [0, -5], [0, 0], [0, 5]),
   pair("nape_1", "back", [2.4, -8.4], [2.2, -5], [1.6, 0], [0.4, 5]),
   pair("nape_2", "back", [5, -7.4], [5, -4], [3.4, 0.6], [0.6, 5]),
@@ -13,7 +16,7 @@ export const steps = [
   pair("up_1", "left 2", [-4.4, 1.8], [-1.4, 4], [3.4, 5.6], [8.2, 5.8]),
   pen({ thickness: 52 }),
   pair("top_3", "back 0 3", [7.4, 3.4], [6, 3], [3.4, 1.6], [0.6, 0]),
-  pen({ thickness: 44 }),
+  pen({ thickness: 44, flat: 0.88 }),
   pair("top_2", "top", [6.2, -2.2], [6.4, -0.6], [4.6, 4], [1, 8]),
   pair("top_1", "top", [3.8, -2], [4.2, 0], [3, 4.4], [0.7, 8.2]),
   pair("top", "top", [1.3, -1.8], [1.5, 0], [1.2, 4.4], [0.3, 8.2]),

@@ -3,7 +3,7 @@ import { color, motion, pair, pen, stroke } from "../steps.mjs";
 /** Twin tails: the hair parted at the back and tied high on both sides. */
 export const steps = [
   color("#e8638c"),
-  pen({ thickness: 46, widest: 45, flat: 0.7, taper: "sine" }),
+  pen({ thickness: 50, widest: 38, flat: 0.72, taper: "round" }),
   pair("part_1", "back 0 2", [0.4, 8.4], [3.6, 7.4], [7.2, 4.4], [8.8, 2.4]),
   pair("part_2", "back 0 2", [0.3, 4.5], [3.6, 4.4], [7, 3], [9, 1.4]),
   pair("part_3", "back 0 1", [0.3, 0.5], [3.6, 1.4], [7, 2.4], [9, 3]),
@@ -24,6 +24,7 @@ export const steps = [
   stroke("fringe", "front 0 2", [0.3, 8.9], [0.9, 4], [1.2, -2], [0, -8.6]),
   stroke("fringe_a", "front 0 2", [0.8, 8.9], [3.4, 4.4], [4.2, -2], [3.4, -8.6]),
   stroke("fringe_b", "front 0 2", [-0.4, 8.9], [-2, 4], [-2.2, -2], [-2.9, -8.2]),
+  stroke("fringe_d", "front 0 2", [-0.8, 8.9], [-3.6, 4.6], [-4.6, -2], [-5, -8.6]),
   pair("fringe_c", "front 0 2", [1.2, 8.9], [5.2, 4.6], [6.6, -2], [6.4, -9]),
   pen({ thickness: 30, widest: 45, flat: 0.5, joints: 8 }),
   pair("lock", "front 0 2", [2, 8.9], [6.6, 4.4], [8.6, -3], [8.4, -11], [9.2, -18.6]),
