@@ -38,5 +38,5 @@ export const steps = [
   pen({ thickness: 30, widest: 45, flat: 0.5, joints: 8 }),
   pair("lock", "front 0 2", [2, 8.9], [6.6, 4.4], [8.6, -3], [8.2, -11], [8.8, -20]),
   pair("lock_1", "left 0 1", [-3, 7], [-6, 1], [-6, -5], [-5.6, -11], [-6.4, -15]),
-  motion({ amplitude: 0.6, spatial_period: 0.9, lightness: 1, tip_exponent: 1.2, period: 0.42, hold: 2, spread: 0.05, gust: 0.6 }),
+  motion({ amplitude: 0.32, spatial_period: 0.9, lightness: 1.2, tip_exponent: 1.2, period: 0.42, hold: 2, spread: 0.05, gust: 0.6 }),
 ];

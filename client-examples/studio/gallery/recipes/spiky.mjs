@@ -35,5 +35,5 @@ export const steps = [
   stroke("fringe_b", "front", [0, 7.6], [-1.6, 5], [-1.6, 0], [-3.4, -5.6]),
   stroke("fringe_c", "front", [-0.8, 7.4], [-4.4, 5], [-5.2, 0], [-6.8, -5.6]),
   stroke("fringe_d", "front", [2.4, 7.4], [6.6, 5], [7.6, 0], [7.2, -6.8]),
-  motion({ amplitude: 0.2, spatial_period: 0.8, lightness: 1.6, tip_exponent: 2, period: 0.3, hold: 2, spread: 0.15, gust: 0.5 }),
+  motion({ amplitude: 0.36, spatial_period: 0.8, lightness: 1.6, tip_exponent: 2, period: 0.3, hold: 2, spread: 0.15, gust: 0.5 }),
 ];
