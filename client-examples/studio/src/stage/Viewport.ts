@@ -10,6 +10,7 @@ const kClick_px = 5; // a press that moves less is a click
 const kTurn = Math.PI / 24; // per arrow key
 const kZoom = 1.1;
 const kHeight = 0.46; // metres of the scene that a new picture shows
+const kNarrowest = 0.85; // width of a picture to its height; a narrower one shows more at top and bottom, so that the wind's arrow has room
 const kMiddle = new Vector3(0, -0.02, 0);
 const kNearest = 0.65; // of that height, from the eye; and so on
 const kFurthest = 17.4;
@@ -220,6 +221,7 @@ export class Viewport {
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     this.camera.aspect = width / height;
+    this.camera.zoom = Math.min(1, width / height / kNarrowest);
     this.camera.updateProjectionMatrix();
     this.onDraw();
     this.overlay.layout(this.camera, width, height);
