@@ -8,6 +8,7 @@ import { goesOnAlone } from "./checks/goesOnAlone.mjs";
 import { isAccessible } from "./checks/isAccessible.mjs";
 import { keepsItself } from "./checks/keepsItself.mjs";
 import { managesTufts } from "./checks/managesTufts.mjs";
+import { opensFiles } from "./checks/opensFiles.mjs";
 import { plays } from "./checks/plays.mjs";
 import { shapesPoints } from "./checks/shapesPoints.mjs";
 import { showsProblem } from "./checks/showsProblem.mjs";
@@ -17,6 +18,6 @@ import { worksByKeys } from "./checks/worksByKeys.mjs";
 
 /** All checks, in the order in which they run. */
 export const checks = [
-  drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself, takesAway,
+  drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself, takesAway, opensFiles,
   showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
 ];

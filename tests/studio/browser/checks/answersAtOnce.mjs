@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { hairstyle, wholeHead } from "../hairstyles.mjs";
 
-const kTimes = 5;
+const kTimes = 3;
 
 /**
  * Runs in the page: moves the slider of a label by one, and takes the times until the service has answered and until the new hair

@@ -4,11 +4,15 @@ import { hairstyle, twoTufts } from "../hairstyles.mjs";
 const kEnglish = /[A-Za-z]{4,}/;
 const kNames = /^(Tuftwave|English|left|right|test|Enter|Delete|Shift)$/;
 
-/** Nothing scrolls sideways at 1280 and 768, in either language; the language is changed and kept, and no words are left behind. */
+/** Nothing scrolls sideways or is out of reach at 1280 and 768, in either language; the language is changed and kept, and no words are left behind. */
 export async function fitsAndSpeaks({ open }) {
   for (const [width, height] of [[1280, 640], [768, 900]]) {
     const studio = await open({ width, height, kept: hairstyle(twoTufts()) });
     const { page } = studio;
+    await studio.mode("Move");
+    const stage = await page.locator(".stage-canvas").boundingBox();
+    const [[windX]] = await studio.handles("wind");
+    assert.ok(windX > stage.x && windX < stage.x + stage.width, `${width} px: the wind's arrow can be taken hold of`);
     for (const language of ["en", "ja"]) {
       assert.equal(await page.evaluate(() => document.documentElement.lang), language);
       for (const key of ["1", "2", "3", "4"]) {
