@@ -1,10 +1,10 @@
-import { fromHairstyle } from "../model/fromHairstyle";
-import { toHairstyle } from "../model/toHairstyle";
 import type { Hairstyle } from "../api/contract";
 import { Signal } from "../base/Signal";
+import { fromHairstyle } from "../model/fromHairstyle";
+import { toHairstyle } from "../model/toHairstyle";
 import type { Studio } from "../Studio";
+import { kept } from "./kept";
 
-const kKey = "tuftwave.document";
 const kPause_ms = 400;
 
 interface Kept {
@@ -16,6 +16,7 @@ interface Kept {
 export class Autosave {
   /** Whether the last change is kept; false where the browser keeps nothing. */
   readonly isKept = new Signal(true);
+  private readonly place = kept("tuftwave.document");
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly studio: Studio) {
@@ -28,21 +29,16 @@ export class Autosave {
   }
 
   private keep(): void {
-    const kept: Kept = { name: this.studio.document.name, hairstyle: toHairstyle(this.studio.document) };
-    try {
-      localStorage.setItem(kKey, JSON.stringify(kept));
-      this.isKept.value = true;
-    } catch {
-      this.isKept.value = false;
-    }
+    const { name } = this.studio.document;
+    this.isKept.value = this.place.write(JSON.stringify({ name, hairstyle: toHairstyle(this.studio.document) } satisfies Kept));
   }
 
   private restore(): void {
     try {
-      const kept = JSON.parse(localStorage.getItem(kKey) ?? "null") as Kept | null;
-      if (kept) this.studio.history.begin(fromHairstyle(kept.hairstyle, kept.name));
+      const found = JSON.parse(this.place.read() ?? "null") as Kept | null;
+      if (found) this.studio.history.begin(fromHairstyle(found.hairstyle, found.name));
     } catch {
-      localStorage.removeItem(kKey); // of another time, or half written
+      // Of another time, or half written: the next change is kept in its place.
     }
   }
 }

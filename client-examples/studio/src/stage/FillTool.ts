@@ -1,5 +1,6 @@
 import { strokeLine } from "../draw/strokeLine";
 import type { Studio } from "../Studio";
+import { hoverTuft } from "./hoverTuft";
 import type { Scene } from "./Scene";
 import type { StagePointer } from "./StagePointer";
 import type { Tool } from "./Tool";
@@ -34,10 +35,7 @@ export class FillTool implements Tool {
   }
 
   hover(pointer: StagePointer | null): void {
-    const id = pointer && this.scene.tuftAt(pointer.ray);
-    this.scene.hair.hovered = id;
-    this.scene.viewport.canvas.style.cursor = id === null ? "grab" : "pointer";
-    this.scene.viewport.invalidate();
+    hoverTuft(this.scene, pointer);
   }
 
   key(event: KeyboardEvent): boolean {

@@ -10,6 +10,7 @@ import { removeTufts } from "../model/removeTufts";
 import type { StudioTuft } from "../model/StudioDocument";
 import type { Studio } from "../Studio";
 import type { stageText } from "../text/stageText";
+import { hoverTuft } from "./hoverTuft";
 import type { Handle } from "./Overlay";
 import type { Scene } from "./Scene";
 import type { StagePointer } from "./StagePointer";
@@ -54,10 +55,7 @@ export class ShapeTool implements Tool {
   }
 
   hover(pointer: StagePointer | null): void {
-    const id = pointer && this.scene.tuftAt(pointer.ray);
-    this.scene.hair.hovered = id;
-    this.scene.viewport.canvas.style.cursor = id === null ? "grab" : "pointer";
-    this.scene.viewport.invalidate();
+    hoverTuft(this.scene, pointer);
   }
 
   key(event: KeyboardEvent): boolean {

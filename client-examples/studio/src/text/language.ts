@@ -1,12 +1,13 @@
 import { Signal } from "../base/Signal";
+import { kept } from "../keep/kept";
 
 export type Language = "en" | "ja";
 
-const kKey = "tuftwave.language";
+const kChoice = kept("tuftwave.language");
 
 function preferred(): Language {
-  const kept = localStorage.getItem(kKey);
-  if (kept === "en" || kept === "ja") return kept;
+  const chosen = kChoice.read();
+  if (chosen === "en" || chosen === "ja") return chosen;
   return navigator.language.startsWith("ja") ? "ja" : "en";
 }
 
@@ -15,5 +16,5 @@ export const language = new Signal<Language>(preferred());
 
 language.follow((chosen) => {
   document.documentElement.lang = chosen;
-  localStorage.setItem(kKey, chosen);
+  kChoice.write(chosen);
 });
