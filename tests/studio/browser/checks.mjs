@@ -9,6 +9,7 @@ import { isAccessible } from "./checks/isAccessible.mjs";
 import { keepsItself } from "./checks/keepsItself.mjs";
 import { managesTufts } from "./checks/managesTufts.mjs";
 import { opensFiles } from "./checks/opensFiles.mjs";
+import { opensGallery } from "./checks/opensGallery.mjs";
 import { plays } from "./checks/plays.mjs";
 import { shapesPoints } from "./checks/shapesPoints.mjs";
 import { showsProblem } from "./checks/showsProblem.mjs";
@@ -19,5 +20,5 @@ import { worksByKeys } from "./checks/worksByKeys.mjs";
 /** All checks, in the order in which they run. */
 export const checks = [
   drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself, takesAway, opensFiles,
-  showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
+  opensGallery, showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
 ];

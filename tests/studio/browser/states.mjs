@@ -20,7 +20,7 @@ async function press(studio, ...places) {
 
 /**
  * Every state of the page that people should look at, in groups that share a page, in the order in which one leads to the next.
- * None goes by words, since they are shown in each language. `kept`: what was there before; `show`: leads to the state from the one
+ * They go by keys and classes, since they are shown in each language. `kept`: what was there before; `show`: leads to the state from the one
  * before it; `leave`: what to do after the picture.
  */
 export const stateGroups = [
@@ -86,6 +86,7 @@ export const stateGroups = [
       },
       { name: "onion", show: (studio) => studio.page.locator(".transport-button.onion").click(), leave: (studio) => studio.page.locator(".transport-button.onion").click() },
       { name: "compare", show: (studio) => studio.page.locator(".transport-button.compare").click(), leave: (studio) => studio.page.locator(".transport-button.compare").click() },
+      { name: "gallery", show: (studio) => studio.page.getByRole("button", { name: /^(Gallery|ギャラリー)$/ }).click(), leave: (studio) => studio.press("Escape") },
       { name: "take-away", show: (studio) => studio.press("Control+s"), leave: (studio) => studio.press("Escape") },
       { name: "help", show: (studio) => studio.press("?"), leave: (studio) => studio.press("Escape") },
     ],

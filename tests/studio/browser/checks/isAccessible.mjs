@@ -32,6 +32,10 @@ export async function isAccessible({ open }) {
       await note(`dialog of ${key}`);
       await studio.press("Escape");
     }
+    await studio.page.getByRole("button", { name: /^(Gallery|ギャラリー)$/ }).click();
+    await studio.page.getByRole("dialog").waitFor();
+    await studio.settle();
+    await note("gallery");
     await studio.page.context().close();
   }
   assert.deepEqual(faults, []);
