@@ -1,11 +1,11 @@
 // hero.png: one cycle of a hairstyle in the studio, as an artist sees it there.
+import { readFile } from "node:fs/promises";
+
 import { newPage } from "./browser.mjs";
-import { kFills } from "./fills.mjs";
-import { fillsKept } from "./service.mjs";
 import { serveStudio } from "./studio.mjs";
 
-/** What is opened; any hairstyle without fills will do, such as one that the studio saved. */
-const kHairstyle = { name: "bob", make: (url) => fillsKept(url, { ...kFills["bob-none"], mesh: { color: "#4fb0c6" } }) };
+const kHairstyle = { file: "twintails.json", name: "Twin tails" }; // of the studio's gallery
+const kGallery = new URL("../../client-examples/studio/gallery/", import.meta.url);
 const kWindow = { width: 1280, height: 800 };
 const kSamples = 2; // a side of each pixel
 const kScale = 0.75; // pixels of the picture for one of the page
@@ -28,7 +28,8 @@ async function openMove(browser, address, kept) {
 /** @param url  of the service; @return  frames, fps and samples; see encode */
 export async function takeHero(browser, url) {
   const server = await serveStudio(url);
-  const { page, schedule } = await openMove(browser, server.url, { name: kHairstyle.name, hairstyle: await kHairstyle.make(url) });
+  const hairstyle = JSON.parse(await readFile(new URL(kHairstyle.file, kGallery)));
+  const { page, schedule } = await openMove(browser, server.url, { name: kHairstyle.name, hairstyle });
   const frames = [];
   for (const hold of schedule.holds) {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))); // until it is drawn

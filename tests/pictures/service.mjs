@@ -4,8 +4,8 @@ import { readFile } from "node:fs/promises";
 import { requestNamed } from "./requests.mjs";
 import { kUploads } from "./uploads.mjs";
 
-async function post(url, type, body, accept = "model/gltf-binary") {
-  const answer = await fetch(url, { method: "POST", headers: { "Content-Type": type, Accept: accept }, body });
+async function post(url, type, body) {
+  const answer = await fetch(url, { method: "POST", headers: { "Content-Type": type, Accept: "model/gltf-binary" }, body });
   if (!answer.ok) throw new Error(`${answer.status} ${await answer.text()}`);
   return Buffer.from(await answer.arrayBuffer());
 }
@@ -21,15 +21,4 @@ export function hairFrom(url) {
     const body = await requestNamed(name);
     return extension === "json" ? Buffer.from(body) : post(`${url}/v1/hairstyles`, "application/json", body);
   };
-}
-
-/** @return  the hairstyle with the tufts of its fills among its tufts, and without fills */
-export async function fillsKept(url, { fills = [], ...hairstyle }) {
-  const tuft = (wanted) => hairstyle.tufts.find(({ name }) => name === wanted);
-  const tufts = [...hairstyle.tufts];
-  for (const fill of fills) {
-    const body = JSON.stringify({ head: hairstyle.head, fill: { ...fill, from: tuft(fill.from), to: tuft(fill.to) } });
-    tufts.push(...JSON.parse(await post(`${url}/v1/fills`, "application/json", body, "application/json")).tufts);
-  }
-  return { ...hairstyle, tufts };
 }
