@@ -93,7 +93,8 @@ export class ExposureSheet {
     const words = this.#words;
     const rate = typeof fps === "string" && fps.includes("/") ? `${frameRate(fps).toFixed(3)} (${fps})` : String(fps);
     const counts = [words.fps(rate), words.frames(frames), words.pictures(pictures)];
-    const facts = [...counts, words.period(period.toFixed(3)), words.requested(requested_period.toFixed(3))];
+    const [made, asked] = [period, requested_period].map((seconds) => seconds.toFixed(3)) as [string, string];
+    const facts = [...counts, words.period(made), ...(asked === made ? [] : [words.requested(asked)])];
     this.#facts.replaceChildren(...facts.flatMap((fact) => [make("span", "", fact), " "]));
   }
 

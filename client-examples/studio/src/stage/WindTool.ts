@@ -52,7 +52,6 @@ export class WindTool implements Tool {
         onKey: (event) => this.turnBy(event.key),
       }],
       [
-        { places: [at(-kArm), at(-kStart)], kind: "wind" },
         { places: [at(kStart), at(kArm + kBarb.tip)], kind: "wind" },
         { places: [barb(1), at(kArm + kBarb.tip), barb(-1)], kind: "wind" },
       ],
