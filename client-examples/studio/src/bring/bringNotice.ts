@@ -2,6 +2,7 @@ import { element } from "../base/element";
 import type { Signal } from "../base/Signal";
 import { appText } from "../text/appText";
 import { bringText } from "../text/bringText";
+import { faultText } from "../text/faultText";
 import { language } from "../text/language";
 import { iconButton } from "../widgets/iconButton";
 import type { BringMessage } from "./BringMessage";
@@ -11,7 +12,7 @@ function linesOf(message: BringMessage): string[] {
   if (message.kind === "unread") return [appText[language.value].notRead(message.name)];
   if (message.kind !== "refused") return [words[message.kind](message.name)];
   const [fault] = message.problem.fields;
-  return [words.refused(message.name), fault ? `${fault.pointer}: ${fault.detail}` : message.problem.message];
+  return [words.refused(message.name), fault ? `${fault.pointer}: ${faultText(fault)}` : message.problem.message];
 }
 
 /** Says over the picture what became of a file, until it is dismissed. @return  the element, and what ends it */

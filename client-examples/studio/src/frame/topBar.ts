@@ -29,8 +29,7 @@ export function topBar(app: App): Part {
       iconButton("gallery", words.gallery, () => new GalleryDialog(studio, (document) => app.bring.show(document)).show(), { shows_name: true }),
       openButton(words.open, (file) => void app.bring.open(file)),
       iconButton("save", words.takeAway, () => app.takeAway(), { shows_name: true, shortcut: "Ctrl+S" })),
-    element("div", { className: "bar-space" }),
-    element("div", { className: "bar-group" },
+    element("div", { className: "bar-group bar-end" },
       iconButton("help", words.help, () => app.help(), { shortcut: "?" }),
       iconButton("sun", words.theme, () => (theme.value = kThemes[(kThemes.indexOf(theme.value) + 1) % kThemes.length]!)),
       element("button", { type: "button", className: "plain", lang: other, onclick: () => (language.value = other) }, words.language)));

@@ -21,6 +21,8 @@ export interface Poses {
 export interface LoadedHair {
   readonly tufts: readonly StudioTuft[];
   readonly meshes: readonly TuftMesh[];
+  /** What has no mesh because the service is away. */
+  readonly unmeshed: readonly Tuft[];
   /** The pictures of the cycle, and nearly every moment of it; null while nothing moves. */
   readonly limited: Poses | null;
   readonly smooth: Poses | null;
@@ -34,7 +36,7 @@ export interface Wish {
   readonly compares: boolean;
 }
 
-const kNothing: LoadedHair = { tufts: [], meshes: [], limited: null, smooth: null };
+const kNothing: LoadedHair = { tufts: [], meshes: [], unmeshed: [], limited: null, smooth: null };
 
 /** Asks the service for the hair of the newest wish. */
 export class HairLoader {
@@ -72,7 +74,7 @@ export class HairLoader {
       const posed = (answer: HairstyleAnswer | null): Poses | null => answer?.pictures
         ? { pictures: answer.pictures.length, joints: rests.reduce((sum, rest) => sum + rest.length / 3, 0), matrices: poseMatrices(answer.pictures, rests) } : null;
       this.schedule.value = schedule ?? this.schedule.value;
-      this.hair.value = { tufts, meshes, limited: posed(limited), smooth: posed(smooth) };
+      this.hair.value = { tufts, meshes, unmeshed: [], limited: posed(limited), smooth: posed(smooth) };
       this.problem.value = null;
     } catch (error) {
       if (signal.aborted) throw error;
@@ -82,11 +84,16 @@ export class HairLoader {
     }
   }
 
-  /** While the service is away, what was meshed before can still be shown. */
+  /** While the service is away, what was meshed before can still be shown, and of the rest its strokes. */
   private showKnown(tufts: readonly StudioTuft[], { head }: StudioDocument): void {
     const meshes = this.cache.known(tufts, head);
-    const shown = tufts.filter((_, i) => meshes[i] !== null);
-    this.hair.value = { tufts: shown, meshes: meshes.filter((mesh) => mesh !== null), limited: null, smooth: null };
+    this.hair.value = {
+      tufts: tufts.filter((_, i) => meshes[i] !== null),
+      meshes: meshes.filter((mesh) => mesh !== null),
+      unmeshed: tufts.filter((_, i) => meshes[i] === null),
+      limited: null,
+      smooth: null,
+    };
   }
 
   private async pictures(document: StudioDocument, signal: AbortSignal): Promise<[HairstyleAnswer | null, Schedule | null]> {

@@ -6,6 +6,7 @@ import { PoseTexture } from "../paint/PoseTexture";
 import { setHairTones } from "../paint/setHairTones";
 import { sharedUniforms } from "../paint/sharedUniforms";
 import type { LoadedHair } from "./HairLoader";
+import { StrokeLines } from "./StrokeLines";
 import { tuftGeometry } from "./tuftGeometry";
 import type { TuftMesh } from "./TuftMesh";
 import { TuftSet, type PlacedTuft } from "./TuftSet";
@@ -29,6 +30,7 @@ export class HairView {
   private readonly smooth: TuftSet;
   private readonly before: TuftSet;
   private readonly after: TuftSet;
+  private readonly strokes = new StrokeLines();
   private geometries = new Map<TuftMesh, BufferGeometry>();
   private placed: readonly PlacedTuft[] = [];
   private pictures = 0;
@@ -47,12 +49,14 @@ export class HairView {
     this.smooth = new TuftSet(this.smoothPaint);
     this.before = new TuftSet(this.beforePaint, kGhost);
     this.after = new TuftSet(this.afterPaint, kGhost);
-    this.group.add(this.limited.group, this.smooth.group, this.before.group, this.after.group);
+    this.group.add(this.limited.group, this.smooth.group, this.before.group, this.after.group, this.strokes.group);
+    this.strokes.setColor(color);
     this.raycaster.firstHitOnly = true;
   }
 
   /** Another head of hair, or another state of it. */
-  show({ tufts, meshes, limited, smooth }: LoadedHair): void {
+  show({ tufts, meshes, unmeshed, limited, smooth }: LoadedHair): void {
+    this.strokes.show(unmeshed);
     const kept = new Map<TuftMesh, BufferGeometry>();
     let firstJoint = 0;
     this.placed = meshes.map((mesh, i) => {
@@ -76,6 +80,7 @@ export class HairView {
 
   setColor(color: string): void {
     setHairTones(this.limitedPaint, hairTones(color));
+    this.strokes.setColor(color);
   }
 
   /** The head that the hair is on. */
@@ -134,6 +139,7 @@ export class HairView {
   dispose(): void {
     for (const set of [this.limited, this.smooth, this.before, this.after]) set.dispose();
     for (const geometry of this.geometries.values()) geometry.dispose();
+    this.strokes.dispose();
     this.limitedPoses.dispose();
     this.smoothPoses.dispose();
     this.limitedPaint.ramp.value.dispose();

@@ -1,5 +1,6 @@
 import type { ServiceProblem } from "../api/ServiceProblem";
 import { Signal } from "../base/Signal";
+import { faultText } from "../text/faultText";
 import type { Slider } from "../widgets/Slider";
 
 /** The fields on the page by the JSON pointers of the contract, without numbers: "/tufts/diameter". */
@@ -26,11 +27,11 @@ export class Fields {
 
   /** Shows each fault of a problem at its field. @return  whether the first one has a field that is on show */
   show(problem: ServiceProblem | null): boolean {
-    const faults = (problem?.fields ?? []).map(({ pointer, detail }) => ({ field: this.fieldOf(pointer), detail }));
+    const faults = (problem?.fields ?? []).map((fault) => ({ field: this.fieldOf(fault.pointer), text: faultText(fault) }));
     let isShown = false;
     for (const { field, slider } of this.sliders) {
       const fault = faults.find((one) => one.field === field);
-      slider.showProblem(fault?.detail ?? null);
+      slider.showProblem(fault?.text ?? null);
       if (fault === faults[0] && fault && slider.element.checkVisibility()) isShown = true;
     }
     return isShown;

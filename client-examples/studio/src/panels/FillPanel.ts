@@ -55,7 +55,7 @@ export class FillPanel implements Part {
     const showPreview = () => {
       const made = preview.preview.value;
       add.disabled = !made || made.tufts.length === 0;
-      add.textContent = made && made.tufts.length === 0 ? words.nothingToAdd : words.add(made?.tufts.length ?? 0);
+      add.textContent = made && made.tufts.length === 0 ? words.nothingToAdd : made ? words.add(made.tufts.length) : words.pickBoth;
       report.textContent = made ? words.fillReport(made.report.tufts.along, made.report.tufts.crown, made.report.tufts.neck) : "";
     };
     this.endings = [plan.changed(show), studio.history.current.changed(show), preview.preview.changed(showPreview)];

@@ -16,5 +16,5 @@ export async function loadCycle(studio: Studio, signal: AbortSignal): Promise<{ 
   const rests = meshes.map(({ rest }) => rest);
   const joints = rests.reduce((sum, rest) => sum + rest.length / 3, 0);
   const limited = { pictures: pictures.length, joints, matrices: poseMatrices(pictures, rests) };
-  return { hair: { tufts: document.tufts, meshes, limited, smooth: null }, schedule };
+  return { hair: { tufts: document.tufts, meshes, unmeshed: [], limited, smooth: null }, schedule };
 }

@@ -61,6 +61,7 @@ const en = {
   directions: { shorter: "Shorter", counter_clockwise: "Left turn", clockwise: "Right turn" },
   minGap: "Smallest gap",
   add: (count: number) => (count === 1 ? "Add 1 tuft" : `Add ${count} tufts`),
+  pickBoth: "Click two tufts first",
   nothingToAdd: "No tuft fits here",
   fillReport: (along: number, crown: number, neck: number) => `${along} along, ${crown} to the crown, ${neck} to the neck`,
   // move
@@ -162,6 +163,7 @@ export const panelText: { readonly en: typeof en; readonly ja: typeof en } = {
     directions: { shorter: "近い方", counter_clockwise: "左回り", clockwise: "右回り" },
     minGap: "最小の間隔",
     add: (count) => `${count} 本の房を追加`,
+    pickBoth: "房を 2 本クリックしてください",
     nothingToAdd: "入る房がありません",
     fillReport: (along, crown, neck) => `房方向 ${along} 本、頭頂部方向 ${crown} 本、首方向 ${neck} 本`,
     move: "動かす",

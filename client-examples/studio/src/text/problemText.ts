@@ -1,0 +1,37 @@
+import type { FieldError } from "../api/contract";
+
+/** What is wrong with a field, in a language that the service does not speak; it speaks English. */
+export const problemText: { readonly en: null; readonly ja: Readonly<Record<FieldError["code"], string>> } = {
+  en: null,
+  ja: {
+    malformed: "読み取れない形です",
+    duplicate_key: "同じ項目が 2 度あります",
+    too_deep: "入れ子が深すぎます",
+    too_many_values: "値が多すぎます",
+    missing_field: "必要な項目がありません",
+    unknown_field: "知らない項目です",
+    wrong_type: "値の種類が違います",
+    not_a_choice: "選べない値です",
+    not_finite: "数値ではありません",
+    out_of_range: "範囲外の値です",
+    too_few: "数が足りません",
+    too_many: "数が多すぎます",
+    degenerate: "形が決まりません",
+    conflict: "他の項目と両立しません",
+    undefined_as_printed: "論文の式のままでは決まりません",
+    unsupported: "対応していません",
+    not_found: "見つかりません",
+    method_not_allowed: "この操作はできません",
+    not_acceptable: "その形式では返せません",
+    too_slow: "送信が遅すぎます",
+    length_required: "長さが必要です",
+    too_large: "大きすぎます",
+    uri_too_long: "アドレスが長すぎます",
+    unsupported_media_type: "対応していない形式です",
+    headers_too_large: "ヘッダーが大きすぎます",
+    bad_request: "正しくない要求です",
+    busy: "混み合っています",
+    deadline: "時間切れです",
+    internal: "サーバー内部の問題です",
+  },
+};
