@@ -4,7 +4,7 @@ const kStep_px = 18; // between the places of a moving pointer
 const kViews = { front: "Front", quarter: "Three quarter", left: "Left", right: "Right", back: "Back", top: "Top" };
 const kModes = { draw: "Draw", shape: "Shape", fill: "Fill", move: "Move" };
 
-/** Places on a centripetal curve's poor relation, good enough for a hand: through all of `points`, `count` to each stretch. */
+/** A smooth way through all of `points` (Catmull-Rom). @param count  of places between two of them */
 function handPath(points, count) {
   const at = (i) => points[Math.max(0, Math.min(points.length - 1, i))];
   const path = [points[0]];
@@ -121,17 +121,20 @@ export class Artist {
     await this.mode("shape");
     for (const [i, name] of this.names.entries()) {
       if (name === null) continue;
-      await this.page.locator(".tuft-name").nth(i).focus();
-      await this.page.keyboard.press("F2");
-      await this.page.keyboard.press("Control+A");
-      await this.page.keyboard.type(name);
-      await this.page.keyboard.press("Enter");
+      await this.page.locator(".tuft-name").nth(i).press("F2");
+      const input = this.page.locator(".tuft-rows input");
+      await input.fill(name);
+      await input.press("Enter");
     }
   }
 
-  /** What the page keeps: {name, hairstyle}. */
+  /** What the page keeps, {name, hairstyle}, as soon as it has all tufts by their names. */
   async kept() {
-    await this.page.waitForTimeout(700);
-    return this.page.evaluate(() => JSON.parse(localStorage.getItem("tuftwave.document")));
+    const kept = await this.page.waitForFunction((names) => {
+      const found = JSON.parse(localStorage.getItem("tuftwave.document"));
+      const { tufts } = found.hairstyle;
+      return tufts.length === names.length && names.every((name, i) => name === null || name === tufts[i].name) ? found : null;
+    }, this.names, { polling: 200 });
+    return kept.jsonValue();
   }
 }

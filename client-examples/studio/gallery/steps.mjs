@@ -44,13 +44,6 @@ export const fill = (from, to, { along = 0, crown = 0, neck = 0, gap = 0.2, seed
   artist.names.push(...Array(count).fill(null));
 };
 
-/** Takes tufts away again, such as a guide of which only the fill is wanted. */
-export const erase = (...names) => async (artist) => {
-  await artist.selectTufts(names);
-  await artist.page.locator(".tuft-list").getByRole("button", { name: "Erase" }).click();
-  artist.names = artist.names.filter((name) => !names.includes(name));
-};
-
 /** Wave, timing and phases, by the contract's names; `wind` is left as it is. */
 export const motion = ({ amplitude, spatial_period, lightness, tip_exponent, period, hold, spread, gust, lift }) => async (artist) => {
   await artist.mode("move");
