@@ -4,6 +4,7 @@ import { element } from "../base/element";
 import { toHairstyle } from "../model/toHairstyle";
 import type { HairStage } from "../stage/HairStage";
 import type { Studio } from "../Studio";
+import { faultText } from "../text/faultText";
 import type { takeAwayText } from "../text/takeAwayText";
 import { Dialog } from "../widgets/Dialog";
 import { group } from "../widgets/group";
@@ -165,6 +166,6 @@ export class TakeAwayDialog {
     if (error instanceof ServiceAway) return [this.words.away];
     if (!(error instanceof ServiceProblem)) return [this.words.failed(error instanceof Error ? error.message : String(error))];
     const { fields, message } = error;
-    return [this.words.refused, ...(fields.length > 0 ? fields.map(({ pointer, detail }) => `${pointer}: ${detail}`) : [message])];
+    return [this.words.refused, ...(fields.length > 0 ? fields.map((fault) => `${fault.pointer}: ${faultText(fault)}`) : [message])];
   }
 }
