@@ -24,11 +24,11 @@ function slowFrames(pace_ms) {
 }
 
 /** The hair alone with its head, transparent, as WebP in base64. */
-async function picture(page, artist, view) {
+async function picture(page, artist, view, isNear) {
   await page.evaluate(() => (globalThis.pace_ms = 0));
   await artist.mode("shape");
   await artist.look(view);
-  await page.locator(".stage-canvas").press("+");
+  if (isNear) await page.locator(".stage-canvas").press("+");
   await page.addStyleTag({ content: "*{background:none!important} body *{visibility:hidden!important} .stage-canvas{visibility:visible!important;outline:none!important}" });
   await page.waitForTimeout(1500);
   const { x, y, width, height } = await page.locator(".stage-canvas").boundingBox();
@@ -43,7 +43,7 @@ async function picture(page, artist, view) {
 }
 
 async function make(browser, url, name) {
-  const { steps, view = "quarter" } = await import(new URL(`recipes/${name}.mjs`, here));
+  const { steps, view = "quarter", isNear = true } = await import(new URL(`recipes/${name}.mjs`, here));
   const page = await browser.newPage({ viewport: { width: 900, height: 620 }, locale: "en-US" });
   page.setDefaultTimeout(20_000);
   await page.addInitScript(slowFrames, kPace_ms);
@@ -55,7 +55,7 @@ async function make(browser, url, name) {
   await artist.rename();
   const { hairstyle } = await artist.kept();
   await writeFile(new URL(`${name}.json`, here), `${JSON.stringify(hairstyle)}\n`);
-  const webp = Buffer.from(await picture(page, artist, view), "base64");
+  const webp = Buffer.from(await picture(page, artist, view, isNear), "base64");
   if (webp.length > kPicture.most_bytes) throw new Error(`${name}: a picture of ${webp.length} bytes`);
   await writeFile(new URL(`${name}.webp`, here), webp);
   await page.close();

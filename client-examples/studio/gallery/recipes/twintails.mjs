@@ -1,5 +1,8 @@
 import { color, motion, pair, pen, stroke } from "../steps.mjs";
 
+/** From further away, so that the tails fit. */
+export const isNear = false;
+
 /** Twin tails: the hair parted at the back and tied high on both sides. */
 export const steps = [
   color("#e8638c"),
