@@ -1,4 +1,4 @@
-import { Group, Raycaster, type BufferGeometry, type Ray } from "three";
+import { Group, Mesh, Raycaster, type BufferGeometry, type Ray } from "three";
 import { MeshBVH, acceleratedRaycast } from "three-mesh-bvh";
 import type { HeadBall } from "../model/HeadBall";
 import { hairTones } from "../paint/hairTones";
@@ -6,10 +6,18 @@ import { PoseTexture } from "../paint/PoseTexture";
 import { setHairTones } from "../paint/setHairTones";
 import { sharedUniforms } from "../paint/sharedUniforms";
 import type { LoadedHair } from "./HairLoader";
+import { markTufts } from "./markTufts";
+import { mergedTufts, type TuftPart } from "./mergedTufts";
 import { StrokeLines } from "./StrokeLines";
 import { tuftGeometry } from "./tuftGeometry";
 import type { TuftMesh } from "./TuftMesh";
-import { TuftSet, type PlacedTuft } from "./TuftSet";
+import { TuftSet } from "./TuftSet";
+
+/** A tuft for rays to hit. */
+interface Pickable extends TuftPart {
+  readonly id: number;
+  readonly mesh: Mesh;
+}
 
 const kGhost = 0.22; // opacity of the pictures before and after
 const kRest = -1; // as a picture
@@ -31,8 +39,10 @@ export class HairView {
   private readonly before: TuftSet;
   private readonly after: TuftSet;
   private readonly strokes = new StrokeLines();
-  private geometries = new Map<TuftMesh, BufferGeometry>();
-  private placed: readonly PlacedTuft[] = [];
+  /** Of each tuft for itself; never drawn. */
+  private readonly geometries = new WeakMap<TuftMesh, BufferGeometry>();
+  private tufts: readonly Pickable[] = [];
+  private merged: BufferGeometry | null = null;
   private pictures = 0;
   private hasSmooth = false;
   private hoveredId: number | null = null;
@@ -57,24 +67,18 @@ export class HairView {
   /** Another head of hair, or another state of it. */
   show({ tufts, meshes, unmeshed, limited, smooth }: LoadedHair): void {
     this.strokes.show(unmeshed);
-    const kept = new Map<TuftMesh, BufferGeometry>();
-    let firstJoint = 0;
-    this.placed = meshes.map((mesh, i) => {
-      const isTaken = kept.has(mesh); // two tufts can be alike, and each needs a place of its own
-      const geometry = isTaken ? tuftGeometry(mesh) : (this.geometries.get(mesh) ?? tuftGeometry(mesh));
-      kept.set(isTaken ? { ...mesh } : mesh, geometry);
-      const place = { id: tufts[i]!.id, geometry, firstJoint };
-      firstJoint += mesh.rest.length / 3;
-      return place;
+    this.tufts = meshes.map((mesh, i) => {
+      const geometry = this.geometryOf(mesh);
+      return { id: tufts[i]!.id, geometry, joints: mesh.rest.length / 3, mesh: new Mesh(geometry) };
     });
-    this.limited.set(this.placed);
+    this.merged?.dispose();
+    this.merged = meshes.length > 0 ? mergedTufts(this.tufts) : null;
+    this.limited.show(this.merged);
     this.limitedPoses.set(limited?.pictures ?? 0, limited?.joints ?? 0, limited?.matrices ?? new Float32Array());
     this.smoothPoses.set(smooth?.pictures ?? 0, smooth?.joints ?? 0, smooth?.matrices ?? new Float32Array());
     this.pictures = limited?.pictures ?? 0;
     this.hasSmooth = smooth !== null;
-    for (const set of [this.smooth, this.before, this.after]) set.set([]);
-    for (const [mesh, geometry] of this.geometries) if (kept.get(mesh) !== geometry) geometry.dispose();
-    this.geometries = kept;
+    for (const set of [this.smooth, this.before, this.after]) set.show(null);
     this.paintHighlights();
   }
 
@@ -97,18 +101,22 @@ export class HairView {
     this.smooth.group.visible = false;
     const ghosts = isMoving && onion && this.pictures > 1;
     for (const [set, paint, step] of [[this.before, this.beforePaint, -1], [this.after, this.afterPaint, 1]] as const) {
-      set.set(ghosts ? this.placed : []);
+      set.show(ghosts ? this.merged : null);
       paint.picture.value = isMoving ? (picture + step + this.pictures) % this.pictures : kRest;
     }
   }
 
   /** The motion as it would be without holds. @param part  of the cycle, 0..1 */
   showSmooth(part: number): void {
-    this.smooth.set(this.placed);
+    this.smooth.show(this.merged);
     this.smoothPoses.uniforms.picture.value = this.hasSmooth ? part * this.smoothPoses.uniforms.posePictures.value : kRest;
     this.limited.group.visible = false;
     this.smooth.group.visible = true;
-    for (const set of [this.before, this.after]) set.set([]);
+    for (const set of [this.before, this.after]) set.show(null);
+  }
+
+  get hovered(): number | null {
+    return this.hoveredId;
   }
 
   set hovered(id: number | null) {
@@ -126,7 +134,7 @@ export class HairView {
     this.raycaster.ray.copy(ray);
     let nearest: number | null = null;
     let closest = Infinity;
-    for (const { id, mesh } of this.limited.meshes) {
+    for (const { id, mesh } of this.tufts) {
       mesh.geometry.boundsTree ??= new MeshBVH(mesh.geometry, { indirect: true }); // tufts of equal make share their indices
       mesh.raycast = acceleratedRaycast;
       const [hit] = this.raycaster.intersectObject(mesh, false);
@@ -138,14 +146,26 @@ export class HairView {
 
   dispose(): void {
     for (const set of [this.limited, this.smooth, this.before, this.after]) set.dispose();
-    for (const geometry of this.geometries.values()) geometry.dispose();
+    this.merged?.dispose();
     this.strokes.dispose();
     this.limitedPoses.dispose();
     this.smoothPoses.dispose();
     this.limitedPaint.ramp.value.dispose();
   }
 
+  private geometryOf(mesh: TuftMesh): BufferGeometry {
+    const known = this.geometries.get(mesh);
+    if (known) return known;
+    const made = tuftGeometry(mesh);
+    this.geometries.set(mesh, made);
+    return made;
+  }
+
   private paintHighlights(): void {
-    this.limited.highlight((id) => (this.selectedIds.includes(id) ? kSelected : id === this.hoveredId ? kHovered : 0));
+    if (!this.merged) return;
+    markTufts(this.merged, this.tufts, (i) => {
+      const { id } = this.tufts[i]!;
+      return this.selectedIds.includes(id) ? kSelected : id === this.hoveredId ? kHovered : 0;
+    });
   }
 }

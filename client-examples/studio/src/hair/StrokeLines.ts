@@ -11,7 +11,8 @@ export class StrokeLines {
   show(tufts: readonly Tuft[]): void {
     for (const { geometry } of this.lines) geometry.dispose();
     this.lines = tufts.map(({ points }) => new Line(new BufferGeometry().setFromPoints(strokeLine(points)), this.material));
-    this.group.clear().add(...this.lines);
+    this.group.clear();
+    for (const line of this.lines) this.group.add(line);
   }
 
   setColor(color: string): void {

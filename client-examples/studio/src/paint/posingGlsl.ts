@@ -1,7 +1,7 @@
 /**
  * GLSL for vertex shaders: where a vertex of hair lies in the picture that is shown. Under POSED only.
- * Attributes: `joints`, four numbers of joints within the tuft, and `weights`, theirs, whose sum is 1.
- * Uniforms: PoseTexture's, and `firstJoint`, where the tuft's joints begin among all.
+ * Attributes: `joints`, four numbers of joints among all tufts', `weights`, theirs, whose sum is 1, and `mark`, how much of the accent is
+ * mixed in. Uniforms: PoseTexture's.
  */
 export const kPosingGlsl = /* glsl */ `
 #ifdef POSED
@@ -11,7 +11,7 @@ export const kPosingGlsl = /* glsl */ `
   uniform int poseJoints;
   uniform int posePictures;
   uniform float picture;
-  uniform int firstJoint;
+  attribute float mark;
 
   mat4 jointPose(int joint, int shown) {
     int width = textureSize(poses, 0).x;
@@ -24,7 +24,7 @@ export const kPosingGlsl = /* glsl */ `
   mat4 skinPose(int shown) {
     mat4 sum = mat4(0.0);
     for (int i = 0; i < 4; i++) {
-      if (weights[i] > 0.0) sum += weights[i] * jointPose(firstJoint + int(joints[i] + 0.5), shown);
+      if (weights[i] > 0.0) sum += weights[i] * jointPose(int(joints[i] + 0.5), shown);
     }
     return sum;
   }

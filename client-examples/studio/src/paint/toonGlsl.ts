@@ -9,6 +9,8 @@ export const kToonVertex = /* glsl */ `
   varying vec3 vView;
   varying vec3 vModel;   // world space
   varying vec3 vModelNormal;
+  uniform float highlight; // 0 to 1
+  varying float vHighlight;
   #ifdef MAPPED
     uniform mat3 mapTransform;
     varying vec2 vAt;
@@ -29,6 +31,11 @@ export const kToonVertex = /* glsl */ `
     #include <project_vertex>
     #include <worldpos_vertex>
     #include <shadowmap_vertex>
+    #ifdef POSED
+      vHighlight = mark;
+    #else
+      vHighlight = highlight;
+    #endif
     vNormal = transformedNormal;
     vModelNormal = inverseTransformDirection(transformedNormal, viewMatrix);
     vModel = (modelMatrix * vec4(transformed, 1.0)).xyz;
@@ -52,7 +59,7 @@ export const kToonFragment = /* glsl */ `
   uniform vec3 shine;          // color of the band
   uniform vec2 band;           // its height on the head (sine) and half its width; width 0 is none
   uniform vec3 highlightColor;
-  uniform float highlight;     // 0 to 1
+  varying float vHighlight;
   uniform float opacity;
   #ifdef DECAL
     uniform sampler2D decal;   // laid on from the front
@@ -105,6 +112,6 @@ export const kToonFragment = /* glsl */ `
       if (own.z > 0.35 && vModel.z > decalFront && at == clamp(at, 0.0, 1.0)) color = mix(color, drawn.rgb * mix(0.86, 1.0, bright), drawn.a);
     #endif
     // Half of the accent: the tones must stay readable.
-    color = mix(color, highlightColor, 0.5 * highlight);
+    color = mix(color, highlightColor, 0.5 * vHighlight);
     gl_FragColor = vec4(color, opacity);
   }`;

@@ -4,19 +4,15 @@ import { kPosingGlsl } from "./posingGlsl";
 import type { SharedUniforms } from "./sharedUniforms";
 import { kToonFragment, kToonVertex } from "./toonGlsl";
 
-/** What one tuft is painted with. Its geometry has the attributes position, normal, smoothed, joints and weights. */
+/** What tufts are painted with. Their geometry has the attributes position, normal, smoothed, joints, weights and mark. */
 export interface TuftMaterials {
   readonly toon: THREE.ShaderMaterial;
   /** For the hull; see outlineOf. */
   readonly outline: THREE.ShaderMaterial;
-  /** For `mesh.customDepthMaterial`: the shadow of the posed tuft; none while it is not solid. */
+  /** For `mesh.customDepthMaterial`: the shadow of what is posed; none while it is not solid. */
   readonly depth: THREE.ShaderMaterial;
   /** Writes depth and no color, before the rest: what is not solid shows only its nearest surface. Invisible while it is solid. */
   readonly veil: THREE.ShaderMaterial;
-  /** Where the tuft's joints begin in the PoseTexture. */
-  readonly firstJoint: THREE.IUniform<number>;
-  /** How much of the accent is mixed in, 0..1. */
-  readonly highlight: THREE.IUniform<number>;
   /** 1 is solid; below it, a ghost. */
   opacity: number;
   dispose(): void;
@@ -38,14 +34,11 @@ const kDepthVertex = /* glsl */ `
   }`;
 const kDepthFragment = "void main() { gl_FragColor = vec4(1.0); }";
 
-/** Materials for one tuft, posed on the graphics card. The programs are compiled once for all tufts. @param shared  is not disposed of */
+/** Materials for tufts that are posed on the graphics card. @param shared  is not disposed of */
 export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
-  const firstJoint = { value: 0 };
-  const highlight = { value: 0 };
   const opacity = { value: 1 };
   const { poses, poseJoints, posePictures, picture, ramp, shine, line, band, roundness, center, light, highlightColor } = shared;
-  const posing = { poses, poseJoints, posePictures, picture, firstJoint, opacity };
-  const accent = { highlightColor, highlight };
+  const posing = { poses, poseJoints, posePictures, picture, opacity };
   const defines = { POSED: "" };
   const toon = new THREE.ShaderMaterial({
     vertexShader: kToonVertex,
@@ -55,8 +48,7 @@ export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
     uniforms: {
       ...THREE.UniformsUtils.clone(THREE.UniformsLib.lights),
       ...posing,
-      ...accent,
-      ...{ ramp, shine, band, roundness, center, light },
+      ...{ ramp, shine, band, roundness, center, light, highlightColor },
     },
   });
   const outline = new THREE.ShaderMaterial({
@@ -64,7 +56,7 @@ export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
     fragmentShader: kOutlineFragment,
     side: THREE.BackSide,
     defines,
-    uniforms: { ...posing, ...accent, line, pixel: shared.pixel, pixels: shared.pixels, behind: shared.behind },
+    uniforms: { ...posing, highlightColor, line, pixel: shared.pixel, pixels: shared.pixels, behind: shared.behind },
   });
   const plain = { vertexShader: kDepthVertex, fragmentShader: kDepthFragment, defines };
   const depth = new THREE.ShaderMaterial({ ...plain, uniforms: { ...posing, shadow: { value: true } } });
@@ -80,8 +72,6 @@ export function tuftMaterials(shared: SharedUniforms): TuftMaterials {
     outline,
     depth,
     veil,
-    firstJoint,
-    highlight,
     get opacity() {
       return opacity.value;
     },

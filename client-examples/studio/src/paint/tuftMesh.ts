@@ -6,8 +6,8 @@ const kVeilOrder = -1; // before every tuft that is not solid
 const kLineOrder = 1; // after it: within a ghost, no line shines through
 
 /**
- * A tuft as it stands in the scene: its surface, with the outline and the veil as children that rays pass through.
- * @param geometry  position, normal, joints, weights; gets `smoothed` if it has none; the caller disposes of it
+ * Tufts as they stand in the scene: their surface, with the outline and the veil as children that rays pass through.
+ * @param geometry  position, normal, joints, weights, mark; gets `smoothed` if it has none; the caller disposes of it
  */
 export function tuftMesh(geometry: THREE.BufferGeometry, materials: TuftMaterials): THREE.Mesh {
   const mesh = new THREE.Mesh(geometry, materials.toon);

@@ -96,7 +96,6 @@ export class DrawTool implements Tool {
     const hit = pointer && this.scene.head.value.hit(pointer.ray);
     this.scene.viewport.canvas.style.cursor = hit ? "crosshair" : "grab";
     this.scene.viewport.overlay.show(hit ? [{ place: hit.point, name: "", kind: "mark" }] : [], []);
-    this.scene.viewport.invalidate();
   }
 
   key(event: KeyboardEvent): boolean {
@@ -186,6 +185,7 @@ export class DrawTool implements Tool {
       place: this.plane.handle, name: this.words().planeHandle, kind: "plane",
       onDrag: (event) => {
         this.plane.turnTo(this.scene.viewport.rayAt(event.clientX, event.clientY));
+        this.scene.viewport.invalidate();
         this.showClicked(false);
       },
       onKey: (event) => {
@@ -197,6 +197,6 @@ export class DrawTool implements Tool {
     const arm: Line = { places: [this.plane.root.clone(), this.plane.handle], kind: "aim" };
     this.scene.viewport.overlay.show([...points, handle], [...lines, arm]);
     if (changes) this.studio.drawn.value = this.clicked.length > 1 ? { ...this.newTuft(), points: this.clicked.map(roundPoint) } : null;
-    this.scene.viewport.invalidate();
+    if (changes) this.scene.viewport.invalidate();
   }
 }

@@ -1,4 +1,6 @@
 import type { BufferGeometry } from "three";
+import { markTufts } from "../hair/markTufts";
+import { mergedTufts } from "../hair/mergedTufts";
 import { tuftGeometry } from "../hair/tuftGeometry";
 import type { TuftMesh } from "../hair/TuftMesh";
 import { TuftSet } from "../hair/TuftSet";
@@ -16,7 +18,7 @@ export class GhostView {
   private readonly poses = new PoseTexture();
   private readonly paint;
   private readonly tufts: TuftSet;
-  private geometries: BufferGeometry[] = [];
+  private merged: BufferGeometry | null = null;
 
   constructor(color: string) {
     this.paint = sharedUniforms(this.poses, hairTones(color));
@@ -28,11 +30,11 @@ export class GhostView {
   }
 
   show(meshes: readonly TuftMesh[]): void {
-    const old = this.geometries;
-    this.geometries = meshes.map(tuftGeometry);
-    this.tufts.set(this.geometries.map((geometry, id) => ({ id, geometry, firstJoint: 0 })));
-    this.tufts.highlight(() => kTint);
-    for (const geometry of old) geometry.dispose();
+    this.merged?.dispose();
+    const parts = meshes.map((mesh) => ({ geometry: tuftGeometry(mesh), joints: mesh.rest.length / 3 }));
+    this.merged = parts.length > 0 ? mergedTufts(parts) : null;
+    if (this.merged) markTufts(this.merged, parts, () => kTint);
+    this.tufts.show(this.merged);
   }
 
   /** The head that they are on. */

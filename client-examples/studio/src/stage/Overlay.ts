@@ -29,6 +29,7 @@ export class Overlay {
   private circles: SVGCircleElement[] = [];
   private paths: SVGPolylineElement[] = [];
   private held: Handle | null = null;
+  private stale = true;
 
   constructor() {
     this.element.setAttribute("class", "overlay");
@@ -38,8 +39,14 @@ export class Overlay {
     return this.held !== null;
   }
 
+  /** Whether something else is to be shown than what was put in its place last. */
+  get isStale(): boolean {
+    return this.stale;
+  }
+
   /** What is shown from now on. Handles keep their element, and so the focus, by their number. */
   show(handles: readonly Handle[], lines: readonly Line[]): void {
+    this.stale = true;
     this.handles = handles;
     this.lines = lines;
     while (this.paths.length < lines.length) this.paths.push(this.element.insertBefore(document.createElementNS(kSvg, "polyline"), this.circles[0] ?? null));
@@ -52,6 +59,7 @@ export class Overlay {
 
   /** Puts everything where it is seen now. */
   layout(camera: Camera, width: number, height: number): void {
+    this.stale = false;
     const at = new Vector3();
     const seen = (place: Vector3) => {
       at.copy(place).project(camera);

@@ -27,8 +27,8 @@ export class ShapeTool implements Tool {
 
   start(): void {
     const show = () => this.show();
-    this.endings.push(this.studio.history.current.changed(show), this.studio.selection.changed(show), this.studio.point.changed(show));
-    this.show();
+    this.endings.push(this.studio.history.current.changed(show), this.studio.point.changed(show), this.studio.selection.changed(() => this.mark()));
+    this.mark();
   }
 
   stop(): void {
@@ -83,12 +83,15 @@ export class ShapeTool implements Tool {
     return selected.length === 1 ? selected[0]! : null;
   }
 
+  private mark(): void {
+    this.scene.hair.selected = this.studio.selection.value;
+    this.scene.viewport.invalidate();
+    this.show();
+  }
+
   private show(): void {
-    const { viewport, hair } = this.scene;
-    hair.selected = this.studio.selection.value;
     const lines = this.studio.selected.map(({ points }) => ({ places: strokeLine(points), kind: "stroke" as const }));
-    viewport.overlay.show(this.only ? this.handlesOf(this.only) : [], lines);
-    viewport.invalidate();
+    this.scene.viewport.overlay.show(this.only ? this.handlesOf(this.only) : [], lines);
   }
 
   private handlesOf(tuft: StudioTuft): Handle[] {

@@ -58,7 +58,7 @@ export class Viewport {
     requestAnimationFrame(() => this.frame());
   }
 
-  /** The picture is to be drawn anew. */
+  /** The picture is to be drawn anew. What lies over it needs no drawing. */
   invalidate(): void {
     this.isStale = true;
   }
@@ -143,7 +143,6 @@ export class Viewport {
     this.taken = event.button === 0 && (this.tool?.press?.(this.pointer(event)) ?? false);
     this.controls.enabled = !this.taken;
     if (this.taken) this.canvas.setPointerCapture(event.pointerId);
-    this.invalidate();
   }
 
   /** A second finger turns and zooms, together with the first: what that one began is given up, and the controls hear of it late. */
@@ -168,7 +167,6 @@ export class Viewport {
     if (!this.taken || !event.isPrimary || this.moved < kClick_px) return;
     const events = event.getCoalescedEvents?.() ?? [];
     this.tool?.drag?.((events.length > 0 ? events : [event]).map((one) => this.pointer(one)));
-    this.invalidate();
   }
 
   private release(event: PointerEvent): void {
@@ -179,7 +177,6 @@ export class Viewport {
     else if (isClick && event.button === 0 && event.type === "pointerup") this.tool?.click?.(this.pointer(event));
     this.taken = false;
     this.controls.enabled = true;
-    this.invalidate();
   }
 
   private turnByKey(event: KeyboardEvent): void {
@@ -215,15 +212,15 @@ export class Viewport {
 
   private frame(): void {
     requestAnimationFrame(() => this.frame());
-    const goesOn = this.onFrame();
-    if (!this.isStale && !goesOn) return;
+    const draws = this.onFrame() || this.isStale;
+    if (!draws && !this.overlay.isStale) return;
     this.isStale = false;
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     this.camera.aspect = width / height;
     this.camera.zoom = Math.min(1, width / height / kNarrowest);
     this.camera.updateProjectionMatrix();
-    this.onDraw();
+    if (draws) this.onDraw();
     this.overlay.layout(this.camera, width, height);
   }
 }

@@ -56,7 +56,6 @@ export class WindTool implements Tool {
         { places: [barb(1), at(kArm + kBarb.tip), barb(-1)], kind: "wind" },
       ],
     );
-    viewport.invalidate();
   }
 
   private turnTo({ clientX, clientY }: PointerEvent): void {

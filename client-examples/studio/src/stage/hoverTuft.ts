@@ -5,7 +5,8 @@ import type { StagePointer } from "./StagePointer";
 export function hoverTuft(scene: Scene, pointer: StagePointer | null): void {
   const { viewport, hair } = scene;
   const id = pointer && scene.tuftAt(pointer.ray);
-  hair.hovered = id;
   viewport.canvas.style.cursor = id === null ? "grab" : "pointer";
+  if (id === hair.hovered) return;
+  hair.hovered = id;
   viewport.invalidate();
 }
