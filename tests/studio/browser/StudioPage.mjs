@@ -2,6 +2,8 @@ import { lookAtStage } from "./lookAtStage.mjs";
 import { Pointer } from "./Pointer.mjs";
 import { until } from "./until.mjs";
 
+const kNarrowest = 0.85; // width of a picture to its height; a narrower one shows the head smaller
+
 /** The studio as a visitor sees it: what is on it by its English names, and what comes of it. */
 export class StudioPage {
   pointer;
@@ -50,10 +52,11 @@ export class StudioPage {
     return this.page.evaluate(lookAtStage);
   }
 
-  /** A place of the window: from the middle of the picture right and down, in heights of the picture. */
+  /** A place of the window: from the middle of the picture right and down, in heights of the picture, as far as it is not narrow. */
   async at(x, y) {
     const box = await this.page.locator(".stage-canvas").boundingBox();
-    return [box.x + box.width / 2 + x * box.height, box.y + box.height / 2 + y * box.height];
+    const unit = Math.min(box.height, box.width / kNarrowest);
+    return [box.x + box.width / 2 + x * unit, box.y + box.height / 2 + y * unit];
   }
 
   line(...places) {

@@ -114,7 +114,7 @@ export const panelText: { readonly en: typeof en; readonly ja: typeof en } = {
     twist: "ねじれ",
     roll: "回転",
     taper: "先細り",
-    tapers: { sine: "サイン", linear: "直線", smooth: "なめらか", round: "丸み" },
+    tapers: { sine: "サイン", linear: "直線", smooth: "滑らか", round: "丸み" },
     joints: "ジョイント数",
     hints: {
       diameter: "論文の d：房が最も太いところの径（％）",
