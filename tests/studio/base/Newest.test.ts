@@ -53,6 +53,18 @@ describe("Newest", () => {
     expect(log).toEqual(["a starts", "a aborted", "b starts"]);
   });
 
+  it("goes on after work that failed, and tells of it", async () => {
+    const log: string[] = [];
+    const faults: unknown[] = [];
+    const newest = new Newest((fault) => faults.push(fault));
+    newest.start(() => Promise.reject(new Error("broken")));
+    await settled();
+    const next = work(log, "next");
+    newest.start(next.run);
+    expect(log).toEqual(["next starts"]);
+    expect(faults).toEqual([new Error("broken")]);
+  });
+
   it("does not abort what nobody waits for", async () => {
     const log: string[] = [];
     const newest = new Newest();

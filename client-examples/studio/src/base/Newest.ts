@@ -10,7 +10,10 @@ export class Newest {
   private next: ((signal: AbortSignal) => Promise<void>) | null = null;
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** @param work  what to do; handles its own errors, and throws only when it was aborted */
+  /** @param onFault  is told of what work throws without having been aborted; the next work runs nevertheless */
+  constructor(private readonly onFault: (error: unknown) => void = (error) => globalThis.reportError(error)) {}
+
+  /** @param work  what to do until it is aborted */
   start(work: (signal: AbortSignal) => Promise<void>): void {
     this.next = work;
     if (!this.running) void this.run();
@@ -25,10 +28,12 @@ export class Newest {
     while (this.next) {
       const work = this.next;
       this.next = null;
-      this.running = new AbortController();
-      await work(this.running.signal).catch((error: unknown) => {
-        if (!this.running?.signal.aborted) throw error;
-      });
+      const running = (this.running = new AbortController());
+      try {
+        await work(running.signal);
+      } catch (error) {
+        if (!running.signal.aborted) this.onFault(error);
+      }
       this.running = null;
       if (this.timer !== null) clearTimeout(this.timer);
       this.timer = null;

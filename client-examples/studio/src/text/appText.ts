@@ -26,6 +26,7 @@ const en = {
   notRead: (name: string) => `${name} could not be read: it is no hairstyle, no GLB and no VRM.`,
   notSaved: "This browser keeps nothing: take your hairstyle away before you leave.",
   settings: "Settings",
+  cannotStart: "The studio cannot start here. It needs a browser with WebGL 2; please try another one, or turn on hardware acceleration.",
 };
 
 /** Words of the frame around the picture and the panels. */
@@ -59,5 +60,6 @@ export const appText: { readonly en: typeof en; readonly ja: typeof en } = {
     notRead: (name) => `${name} を読み込めませんでした。髪型・GLB・VRM のいずれでもありません。`,
     notSaved: "このブラウザーには保存できません。終了前に書き出してください。",
     settings: "設定",
+    cannotStart: "スタジオを開始できません。WebGL 2 に対応したブラウザーが必要です。別のブラウザーを試すか、ハードウェアアクセラレーションを有効にしてください。",
   },
 };
