@@ -50,7 +50,7 @@ class Studio(ServiceTest):
 
     def test_the_first_page_needs_nothing_from_outside(self) -> None:
         page = self.service.get("/")
-        self.assertNotRegex(page.body.decode(), r'(src|href)="(?!/)')
+        self.assertNotRegex(page.body.decode(), r'(src|href)="(?!/|data:)')
         policies = [self.service.get(path).headers.get("content-security-policy", "") for path in ("/", "/studio/index.html")]
         if self.has_studio():
             for policy in policies:

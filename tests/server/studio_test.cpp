@@ -15,7 +15,7 @@ constexpr std::string_view kPage = "<!doctype html><title>made up</title>";
 /// A studio of one file of each kind.
 std::optional<std::string_view> with_studio(const std::string_view name) {
     if (name == "studio/index.html") return kPage;
-    for (const char* ending : {"js", "css", "json", "glb", "svg", "png", "woff2", "txt", "bin"}) {
+    for (const char* ending : {"js", "css", "json", "glb", "svg", "png", "webp", "woff2", "txt", "bin"}) {
         if (name == std::string("studio/studio.") + ending) return "bytes";
     }
     if (name == "openapi.yaml") return "not a file of the studio";
