@@ -1,7 +1,7 @@
 import type { Head } from "../api/contract";
 import type { HeadBall } from "../model/HeadBall";
 
-/** A head that came as a file: it belongs to the session; its measures go into documents. */
+/** A head that came as a file: it belongs to the visit; its measures go into documents. */
 export interface BroughtHead {
   readonly name: string;
   readonly bytes: ArrayBuffer;

@@ -18,7 +18,7 @@ interface Place {
 }
 
 /**
- * The heads of this session. Which one is shown follows from the document: the one with the measures that it names. So undo, redo,
+ * The heads of this visit. Which one is shown follows from the document: the one with the measures that it names. So undo, redo,
  * opening and reloading show the head that the hair belongs on.
  */
 export class HeadShelf {

@@ -5,7 +5,7 @@ import type { BroughtCharacter } from "./BroughtCharacter";
 import { CharacterLoader } from "./CharacterLoader";
 import { CharacterView } from "./CharacterView";
 
-/** The character of this session: shown in the mode "move", moved as the document's motion says. */
+/** The character of this visit: shown in the mode "move", moved as the document's motion says. */
 export class CharacterGuest {
   readonly character = new Signal<BroughtCharacter | null>(null);
   readonly loader: CharacterLoader;
