@@ -60,7 +60,7 @@ export class HairView {
     this.before = new TuftSet(this.beforePaint, kGhost);
     this.after = new TuftSet(this.afterPaint, kGhost);
     this.group.add(this.limited.group, this.smooth.group, this.before.group, this.after.group, this.strokes.group);
-    this.strokes.setColor(color);
+    this.strokes.setColor(tones.line);
     this.raycaster.firstHitOnly = true;
   }
 
@@ -83,8 +83,9 @@ export class HairView {
   }
 
   setColor(color: string): void {
-    setHairTones(this.limitedPaint, hairTones(color));
-    this.strokes.setColor(color);
+    const tones = hairTones(color);
+    setHairTones(this.limitedPaint, tones);
+    this.strokes.setColor(tones.line);
   }
 
   /** The head that the hair is on. */

@@ -56,6 +56,7 @@ export class HairStage implements Scene {
     this.tools = { draw: this.draw, shape: new ShapeTool(studio, this, words), fill: new FillTool(studio, this), move: new WindTool(studio, this, words) };
     this.viewport.onFrame = () => this.tick();
     this.viewport.onDraw = () => this.paint();
+    this.viewport.columns = () => (this.compares ? 2 : 1);
     studio.mode.follow((mode) => {
       this.showSubject();
       this.viewport.use(this.tools[mode]);

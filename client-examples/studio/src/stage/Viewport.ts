@@ -10,7 +10,10 @@ const kClick_px = 5; // a press that moves less is a click
 const kTurn = Math.PI / 24; // per arrow key
 const kZoom = 1.1;
 const kHeight = 0.46; // metres of the scene that a new picture shows
-const kNarrowest = 0.85; // width of a picture to its height; a narrower one shows more at top and bottom, so that the wind's arrow has room
+// Width of a picture to its height; a narrower one shows more at top and bottom, so that hair and the wind's arrow have room. Side by side
+// there is no arrow.
+const kNarrowest = 0.85;
+const kNarrowestOfTwo = 0.62;
 const kMiddle = new Vector3(0, -0.02, 0);
 const kNearest = 0.65; // of that height, from the eye; and so on
 const kFurthest = 17.4;
@@ -29,6 +32,8 @@ export class Viewport {
   readonly stage: Stage;
   /** Called before each picture; @return whether another must follow at once. */
   onFrame: () => boolean = () => false;
+  /** How many pictures stand side by side. */
+  columns: () => number = () => 1;
   /** Draws; the whole canvas by default. */
   onDraw: () => void = () => this.stage.render(this.camera);
   private readonly controls: OrbitControls;
@@ -218,7 +223,8 @@ export class Viewport {
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     this.camera.aspect = width / height;
-    this.camera.zoom = Math.min(1, width / height / kNarrowest);
+    const columns = this.columns();
+    this.camera.zoom = Math.min(1, width / columns / height / (columns > 1 ? kNarrowestOfTwo : kNarrowest));
     this.camera.updateProjectionMatrix();
     if (draws) this.onDraw();
     this.overlay.layout(this.camera, width, height);
