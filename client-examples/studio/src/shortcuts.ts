@@ -1,6 +1,6 @@
 import type { App } from "./App";
-import { duplicateTufts } from "./model/duplicateTufts";
 import { mirrorTuft } from "./model/mirrorTuft";
+import { copySelected } from "./panels/copySelected";
 import { kModes } from "./Studio";
 
 
@@ -17,7 +17,7 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
     else if (key === "y") studio.history.redo();
     else if (key === "o" && !event.shiftKey) app.openFile();
     else if (key === "s" && !event.shiftKey) app.takeAway();
-    else if (key === "d" && !writes) copySelected(app, false);
+    else if (key === "d" && !writes) copySelected(studio, (tuft) => tuft);
     else return;
     event.preventDefault();
     return;
@@ -25,15 +25,8 @@ export function shortcuts(event: KeyboardEvent, app: App): void {
   if (writes || event.altKey || event.defaultPrevented) return;
   const mode = kModes[Number(key) - 1];
   if (mode) studio.mode.value = mode;
-  else if (key === "m") copySelected(app, true);
+  else if (key === "m") copySelected(studio, (tuft) => mirrorTuft(tuft, studio.document.head));
   else if (key === "?") app.help();
   else if (!app.playbackKey(event)) return;
   event.preventDefault();
-}
-
-function copySelected({ studio }: App, mirrors: boolean): void {
-  if (studio.selection.value.length === 0) return;
-  const { document, added } = duplicateTufts(studio.document, studio.selection.value, (tuft) => (mirrors ? mirrorTuft(tuft, studio.document.head) : tuft));
-  studio.edit(() => document);
-  studio.select(added);
 }

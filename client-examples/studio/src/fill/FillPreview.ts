@@ -5,7 +5,7 @@ import { Newest } from "../base/Newest";
 import { Signal } from "../base/Signal";
 import type { TuftMesh } from "../hair/TuftMesh";
 import { addTufts } from "../model/addTufts";
-import type { StudioTuft } from "../model/StudioDocument";
+import { bareTuft } from "../model/bareTuft";
 import type { Studio } from "../Studio";
 
 export interface Preview {
@@ -13,8 +13,6 @@ export interface Preview {
   readonly meshes: readonly TuftMesh[];
   readonly report: FillsAnswer["report"];
 }
-
-const bare = ({ id: _, ...tuft }: StudioTuft): Tuft => tuft;
 
 /** The fill that is planned, as it would be; kept in one step. */
 export class FillPreview {
@@ -45,7 +43,7 @@ export class FillPreview {
     const tuft = (id: number | null) => this.studio.document.tufts.find((one) => one.id === id);
     const [first, second] = [tuft(from), tuft(to)];
     if (!first || !second) return null;
-    return { ...settings, from: bare(first), to: first === second ? null : bare(second), name: settings.name ?? "fill" };
+    return { ...settings, from: bareTuft(first), to: first === second ? null : bareTuft(second), name: settings.name ?? "fill" };
   }
 
   private async answer(fill: Fill | null, signal: AbortSignal): Promise<void> {

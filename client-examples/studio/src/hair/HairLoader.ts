@@ -7,15 +7,9 @@ import { Signal } from "../base/Signal";
 import type { StudioDocument, StudioTuft } from "../model/StudioDocument";
 import { toHairstyle } from "../model/toHairstyle";
 import { smoothTiming } from "../motion/smoothTiming";
-import { poseMatrices } from "./poseMatrices";
+import { posesOf, type Poses } from "./posesOf";
 import { TuftCache } from "./TuftCache";
 import type { TuftMesh } from "./TuftMesh";
-
-export interface Poses {
-  readonly pictures: number;
-  readonly joints: number;
-  readonly matrices: Float32Array;
-}
 
 /** Hair as it can be shown. */
 export interface LoadedHair {
@@ -52,10 +46,6 @@ export class HairLoader {
     service.isHere.changed((isHere) => isHere && this.wish && this.load(this.wish));
   }
 
-  get isBusy(): boolean {
-    return this.newest.isBusy;
-  }
-
   load(wish: Wish): void {
     this.wish = wish;
     this.newest.start((signal) => this.answer(wish, signal));
@@ -70,9 +60,7 @@ export class HairLoader {
         wish.moves ? this.pictures({ ...document, tufts }, signal) : [null, null],
         wish.moves && wish.compares ? this.pictures(smoothed({ ...document, tufts }), signal) : [null, null],
       ]);
-      const rests = meshes.map(({ rest }) => rest);
-      const posed = (answer: HairstyleAnswer | null): Poses | null => answer?.pictures
-        ? { pictures: answer.pictures.length, joints: rests.reduce((sum, rest) => sum + rest.length / 3, 0), matrices: poseMatrices(answer.pictures, rests) } : null;
+      const posed = (answer: HairstyleAnswer | null): Poses | null => (answer?.pictures ? posesOf(answer.pictures, meshes) : null);
       this.schedule.value = schedule ?? this.schedule.value;
       this.hair.value = { tufts, meshes, unmeshed: [], limited: posed(limited), smooth: posed(smooth) };
       this.problem.value = null;

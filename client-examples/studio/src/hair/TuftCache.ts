@@ -1,6 +1,7 @@
 import type { Head, Tuft } from "../api/contract";
 import { rangeOf } from "../api/rangeOf";
 import type { Service } from "../api/Service";
+import { bareTuft } from "../model/bareTuft";
 import { readTufts } from "./readTufts";
 import type { TuftMesh } from "./TuftMesh";
 import { tuftKey } from "./tuftKey";
@@ -53,10 +54,4 @@ function screenDetail({ diameter_at_100 }: Head): { sides: number; tolerance: nu
   const { minimum, maximum } = rangeOf("MeshDetail", "tolerance");
   const wanted = kTolerance * (diameter_at_100 ?? rangeOf("Head", "diameter_at_100").default!);
   return { sides: kSides, tolerance: Math.min(maximum, Math.max(minimum, wanted)) };
-}
-
-/** Without what belongs to the page. */
-function bareTuft(tuft: Tuft): Tuft {
-  const { id: _, ...bare } = tuft as Tuft & { id?: number };
-  return bare;
 }

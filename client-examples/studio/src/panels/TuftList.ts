@@ -1,5 +1,4 @@
 import { element } from "../base/element";
-import { duplicateTufts } from "../model/duplicateTufts";
 import { mirrorTuft } from "../model/mirrorTuft";
 import { moveTuft } from "../model/moveTuft";
 import { removeTufts } from "../model/removeTufts";
@@ -8,6 +7,7 @@ import type { StudioTuft } from "../model/StudioDocument";
 import type { Studio } from "../Studio";
 import type { panelText } from "../text/panelText";
 import { iconButton } from "../widgets/iconButton";
+import { copySelected } from "./copySelected";
 
 /** All tufts by name, in their order: selected, renamed, moved, duplicated, mirrored, erased. */
 export class TuftList {
@@ -21,8 +21,8 @@ export class TuftList {
 
   constructor(private readonly studio: Studio, private readonly words: typeof panelText.en) {
     this.tools = [
-      iconButton("duplicate", words.duplicate, () => this.copy((tuft) => tuft), { shortcut: "Ctrl+D" }),
-      iconButton("mirror", words.mirror, () => this.copy((tuft) => mirrorTuft(tuft, studio.document.head)), { shortcut: "M" }),
+      iconButton("duplicate", words.duplicate, () => copySelected(studio, (tuft) => tuft), { shortcut: "Ctrl+D" }),
+      iconButton("mirror", words.mirror, () => copySelected(studio, (tuft) => mirrorTuft(tuft, studio.document.head)), { shortcut: "M" }),
       iconButton("up", words.moveUp, () => this.move(-1), { shortcut: "Alt+↑" }),
       iconButton("down", words.moveDown, () => this.move(1), { shortcut: "Alt+↓" }),
       iconButton("erase", words.erase, () => studio.edit((document) => removeTufts(document, studio.selection.value)), { shortcut: "Delete" }),
@@ -34,12 +34,6 @@ export class TuftList {
 
   dispose(): void {
     for (const end of this.endings) end();
-  }
-
-  private copy(make: (tuft: StudioTuft) => StudioTuft): void {
-    const { document, added } = duplicateTufts(this.studio.document, this.studio.selection.value, make);
-    this.studio.edit(() => document);
-    this.studio.select(added);
   }
 
   private move(by: number): void {

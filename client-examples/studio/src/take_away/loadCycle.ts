@@ -1,6 +1,6 @@
 import type { HairstyleAnswer, Schedule } from "../api/contract";
 import type { LoadedHair } from "../hair/HairLoader";
-import { poseMatrices } from "../hair/poseMatrices";
+import { posesOf } from "../hair/posesOf";
 import { TuftCache } from "../hair/TuftCache";
 import { toHairstyle } from "../model/toHairstyle";
 import type { Studio } from "../Studio";
@@ -13,8 +13,5 @@ export async function loadCycle(studio: Studio, signal: AbortSignal): Promise<{ 
     service.json<HairstyleAnswer>("/v1/hairstyles", { body: toHairstyle(document), query: { format: "json" }, signal }),
   ]);
   if (!pictures || !schedule) throw new Error("a hairstyle that does not move has no cycle");
-  const rests = meshes.map(({ rest }) => rest);
-  const joints = rests.reduce((sum, rest) => sum + rest.length / 3, 0);
-  const limited = { pictures: pictures.length, joints, matrices: poseMatrices(pictures, rests) };
-  return { hair: { tufts: document.tufts, meshes, unmeshed: [], limited, smooth: null }, schedule };
+  return { hair: { tufts: document.tufts, meshes, unmeshed: [], limited: posesOf(pictures, meshes), smooth: null }, schedule };
 }
