@@ -16,7 +16,7 @@ struct Row {
 };
 
 /// The one table of errors; openapi.yaml lists the same slugs.
-constexpr std::array<Row, 29> kTable{{
+constexpr std::array<Row, 32> kTable{{
     {ProblemCode::kMalformed, "malformed", 400, "The body is not well-formed."},
     {ProblemCode::kDuplicateKey, "duplicate_key", 400, "A key occurs twice in one object."},
     {ProblemCode::kTooDeep, "too_deep", 400, "The body is nested too deeply."},
@@ -44,6 +44,10 @@ constexpr std::array<Row, 29> kTable{{
     {ProblemCode::kUnsupportedMediaType, "unsupported_media_type", 415,
      "The body is of a type that is not understood."},
     {ProblemCode::kHeadersTooLarge, "headers_too_large", 431, "The request's headers are too large."},
+    {ProblemCode::kExpectationFailed, "expectation_failed", 417, "The request expects what is not offered."},
+    {ProblemCode::kNotImplemented, "not_implemented", 501,
+     "This method is not known; GET, HEAD, POST and OPTIONS are."},
+    {ProblemCode::kVersionNotSupported, "version_not_supported", 505, "Only HTTP/1.1 and HTTP/1.0 are spoken here."},
     {ProblemCode::kBadRequest, "bad_request", 400, "The request is not valid HTTP."},
     {ProblemCode::kBusy, "busy", 503, "The server is full; try again shortly."},
     {ProblemCode::kDeadline, "deadline", 504, "The computation took longer than allowed."},

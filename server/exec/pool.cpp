@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -15,6 +16,11 @@ namespace {
 
 /// Claims per thread that a long loop is cut into: enough to even out slow parts, few enough to leave the counter cold.
 constexpr std::size_t kClaimsPerThread = 16;
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+/// How much one job counts in the mean of what jobs take.
+constexpr double kShareOfOne = 1.0 / 16;
 
 /// One running loop. It lives on its caller's stack and stays until every helper has left.
 class Loop {
@@ -67,7 +73,8 @@ class Loop {
 
 class Pool::Workers final : public ForEach {
   public:
-    Workers(const int count, const std::size_t capacity) : count_(std::max(count, 1)), capacity_(capacity) {
+    Workers(const int count, const std::size_t capacity, const Seconds longest_wait)
+        : count_(std::max(count, 1)), capacity_(capacity), longest_wait_(longest_wait) {
         threads_.reserve(static_cast<std::size_t>(count_));
         for (int i = 0; i < count_; ++i) threads_.emplace_back([this] { work(); });
     }
@@ -75,8 +82,7 @@ class Pool::Workers final : public ForEach {
     bool submit(std::function<void()> job) {
         {
             const std::lock_guard lock(mutex_);
-            const auto idle = static_cast<std::size_t>(count_ - busy_);
-            if (stopping_ || jobs_.size() >= capacity_ + idle) return false;
+            if (stopping_ || is_full()) return false;
             jobs_.push_back(std::move(job));
         }
         wake_.notify_one();
@@ -94,7 +100,10 @@ class Pool::Workers final : public ForEach {
 
     Stats stats() const {
         const std::lock_guard lock(mutex_);
-        return {count_, busy_, jobs_.size(), capacity_, failed_};
+        const double queue = std::max(static_cast<double>(jobs_.size()) / static_cast<double>(capacity_),
+                                      expected_wait() / longest_wait_);
+        const double saturation = is_full() ? 1 : (static_cast<double>(busy_) / count_ + std::min(queue, 1.0)) / 2;
+        return {count_, busy_, jobs_.size(), capacity_, is_full(), saturation, failed_};
     }
 
     void stop() {
@@ -109,6 +118,16 @@ class Pool::Workers final : public ForEach {
     }
 
   private:
+    /// A queue is measured in time, not in jobs: many small ones may wait as long as one large one. The mutex is held.
+    bool is_full() const {
+        const auto workers = static_cast<std::size_t>(count_), idle = static_cast<std::size_t>(count_ - busy_);
+        const bool is_short = expected_wait() < longest_wait_;
+        return jobs_.size() >= idle + (is_short ? capacity_ : std::min(capacity_, workers));
+    }
+
+    /// Of a job that would come now. The mutex is held.
+    Seconds expected_wait() const { return mean_job_ * static_cast<double>(jobs_.size()) / count_; }
+
     void offer(Loop& loop) const {
         {
             const std::lock_guard lock(mutex_);
@@ -164,31 +183,36 @@ class Pool::Workers final : public ForEach {
         jobs_.pop_front();
         lock.unlock();
         bool threw = false;
+        const auto begin = Clock::now();
         try {
             job();
         } catch (...) {  // nobody waits for it: the process must outlive a bug in one job
             threw = true;
         }
         job = nullptr;  // what it captured goes before the lock is taken
+        const Seconds took = Clock::now() - begin;
         lock.lock();
         --busy_;
+        mean_job_ += (took - mean_job_) * kShareOfOne;
         if (threw) ++failed_;
     }
 
     const int count_;
     const std::size_t capacity_;
+    const Seconds longest_wait_;
     mutable std::mutex mutex_;  // guards everything below
     mutable std::condition_variable wake_;
     mutable std::vector<Loop*> loops_;
     std::deque<std::function<void()>> jobs_;
     std::vector<std::thread> threads_;
     int busy_ = 0;
+    Seconds mean_job_{0};
     std::size_t failed_ = 0;
     bool stopping_ = false;
 };
 
-Pool::Pool(const int workers, const std::size_t queue_capacity)
-    : workers_(std::make_unique<Workers>(workers, queue_capacity)) {}
+Pool::Pool(const int workers, const std::size_t queue_capacity, const Seconds longest_wait)
+    : workers_(std::make_unique<Workers>(workers, queue_capacity, longest_wait)) {}
 
 Pool::~Pool() { stop(); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -17,12 +18,17 @@ class Pool {
         int busy = 0;              ///< running a job, or helping a loop
         std::size_t queued = 0;    ///< accepted, not begun
         std::size_t capacity = 0;  ///< jobs that may wait while every worker is busy
+        bool is_full = false;      ///< whether submit() would refuse
+        double saturation = 0;     ///< 0: nothing to do; 0.5: every worker is busy; 1: full
         std::size_t failed = 0;    ///< jobs that threw, since the start: each is a bug
     };
 
     /// @param workers         threads, at least 1
     /// @param queue_capacity  jobs that may wait while every worker is busy
-    Pool(int workers, std::size_t queue_capacity);
+    /// @param longest_wait    and the time that they may be expected to wait, by what jobs took lately. As many as
+    /// there
+    ///                        are workers may wait in any case.
+    Pool(int workers, std::size_t queue_capacity, std::chrono::duration<double> longest_wait = std::chrono::hours(1));
     ~Pool();
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;

@@ -1,149 +1,102 @@
 #include "http/connection.hpp"
 
-#include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
+#include <sys/uio.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <utility>
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kBufferBytes = 16 * 1024;
-constexpr auto kTick = std::chrono::milliseconds(50);            // how soon stopping is noticed
-constexpr auto kLastRequest = std::chrono::milliseconds(5'000);  // for what is being sent while stopping
-constexpr auto kLinger = std::chrono::milliseconds(1'000);
-constexpr std::size_t kLingerBytes = 4 * 1024 * 1024;
+constexpr std::size_t kMostAtOnce = 1024 * 1024;  // then it is the next connection's turn
+constexpr std::size_t kMostDropped = 128 * 1024 * 1024;
+
+bool would_block(const ssize_t result) {
+    return result < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+}
 
 }  // namespace
 
-Connection::Connection(const int descriptor, const ConnectionLimits& limits, const std::atomic<bool>& stopping)
-    : descriptor_(descriptor), limits_(limits), stopping_(stopping), buffer_(kBufferBytes) {}
-
-Connection::~Connection() {
-    if (is_closing_ && has_answered_) linger();
-    ::shutdown(descriptor_, SHUT_RDWR);
-    ::close(descriptor_);
+std::string_view Connection::receive(const std::span<char> buffer) {
+    const ssize_t got = ::recv(socket_.number(), buffer.data(), buffer.size(), 0);
+    has_ended_ = got == 0 || (got < 0 && !would_block(got));
+    return got > 0 ? std::string_view(buffer.data(), static_cast<std::size_t>(got)) : std::string_view();
 }
 
-/// Closing while the client still sends would reset the connection, and the answer would be lost on its way.
-void Connection::linger() {
-    ::shutdown(descriptor_, SHUT_WR);
-    const auto until = Clock::now() + kLinger;
-    std::size_t total = 0;
-    while (total < kLingerBytes && !stopping_ && wait_until(POLLIN, until, true)) {
-        const ssize_t got = ::recv(descriptor_, buffer_.data(), buffer_.size(), MSG_DONTWAIT);
-        if (got <= 0) return;
-        total += static_cast<std::size_t>(got);
+void Connection::begin_writing(Message message, const bool closes) {
+    message_ = std::move(message);
+    sent_ = 0;
+    closes_ = closes;
+    phase_ = Phase::kWriting;
+    since_ = progress_ = Clock::now();
+}
+
+Connection::Sent Connection::send() {
+    for (std::size_t turn = 0; unsent() > 0;) {
+        if (turn >= kMostAtOnce) return Sent::kSome;
+        const std::string_view head = std::string_view(message_.head).substr(std::min(sent_, message_.head.size()));
+        const std::size_t body_sent = sent_ - (message_.head.size() - head.size());
+        const std::size_t part = std::min(message_.body.size() - body_sent, kMostAtOnce);
+        std::array<iovec, 2> pieces{iovec{const_cast<char*>(head.data()), head.size()},
+                                    iovec{message_.body.data() + body_sent, part}};
+        msghdr all{};
+        all.msg_iov = pieces.data();
+        all.msg_iovlen = pieces.size();
+        const ssize_t sent = ::sendmsg(socket_.number(), &all, MSG_NOSIGNAL);
+        if (would_block(sent)) return Sent::kSome;
+        if (sent <= 0) return Sent::kFailed;
+        sent_ += static_cast<std::size_t>(sent);
+        turn += static_cast<std::size_t>(sent);
+        progress_ = Clock::now();
     }
+    message_ = {};
+    sent_ = 0;
+    phase_ = Phase::kReading;
+    since_ = Clock::now();
+    return Sent::kAll;
 }
 
-/// @param gives_way  whether it returns early, with false, when the server stops and nothing is there
-bool Connection::wait_until(const short event, const Clock::time_point deadline, const bool gives_way) {
-    for (;;) {
-        const bool stopping = stopping_;
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-        const auto wait = std::clamp(left, std::chrono::milliseconds(0),
-                                     stopping && gives_way ? std::chrono::milliseconds(0) : kTick);
-        pollfd ready{descriptor_, event, 0};
-        const int count = ::poll(&ready, 1, static_cast<int>(wait.count()));
-        if (count > 0) return true;
-        if (count < 0 && errno != EINTR) return false;
-        if (left.count() <= 0 || (stopping && gives_way)) return false;
+bool Connection::send_at_once(const std::string_view bytes) {
+    return ::send(socket_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+}
+
+void Connection::begin_lingering() {
+    ::shutdown(socket_.number(), SHUT_WR);
+    phase_ = Phase::kLingering;
+    since_ = Clock::now();
+    kept_ = {};
+    reader = {};
+}
+
+bool Connection::drop_input() {
+    // TCP drops by itself what is read with MSG_TRUNC: nothing is copied.
+    for (std::size_t turn = 0; turn < kMostAtOnce;) {
+        const ssize_t got = ::recv(socket_.number(), nullptr, kMostAtOnce, MSG_TRUNC);
+        if (would_block(got)) return true;
+        if (got <= 0) return false;
+        turn += static_cast<std::size_t>(got);
+        dropped_ += static_cast<std::size_t>(got);
     }
+    return dropped_ < kMostDropped;
 }
 
-bool Connection::fill() {
-    if (stopping_) deadline_ = std::min(deadline_, Clock::now() + kLastRequest);
-    for (;;) {
-        if (!wait_until(POLLIN, std::min(deadline_, Clock::now() + stall_), false)) {
-            refuse(408);
-            return false;
+Connection::Clock::time_point Connection::due(const Patience& patience, const std::chrono::milliseconds idle) const {
+    switch (phase_) {
+        case Phase::kReading:
+            return since_ + (reader.is_in_body() ? patience.body : reader.has_begun() ? patience.head : idle);
+        case Phase::kWriting: {
+            const auto more = std::chrono::seconds(message_.size() / patience.write_rate);
+            return std::min(since_ + patience.write + more, progress_ + patience.stall);
         }
-        const ssize_t got = ::recv(descriptor_, buffer_.data(), buffer_.size(), MSG_DONTWAIT);
-        if (got < 0 && (errno == EAGAIN || errno == EINTR)) continue;
-        begin_ = 0;
-        end_ = got > 0 ? static_cast<std::size_t>(got) : 0;
-        return got > 0;
+        case Phase::kLingering:
+            return since_ + patience.linger;
+        case Phase::kAnswering:
+            break;
     }
-}
-
-int Connection::refuse(const int status) {
-    if (fault_ == 0) fault_ = status;
-    is_closing_ = true;
-    return -1;
-}
-
-bool Connection::wait_for_request() {
-    head_bytes_ = line_bytes_ = head_lines_ = 0;
-    previous_ = 0;
-    pending_ = {};
-    fault_ = 0;
-    has_answered_ = false;
-    if (begin_ == end_) {
-        if (!wait_until(POLLIN, Clock::now() + limits_.idle, true)) return false;
-        deadline_ = Clock::now() + limits_.head;
-        stall_ = limits_.head;
-        return fill();
-    }
-    deadline_ = Clock::now() + limits_.head;
-    stall_ = limits_.head;
-    return true;
-}
-
-int Connection::head_byte() {
-    if (!pending_.empty()) {
-        const char next = pending_.front();
-        pending_.remove_prefix(1);
-        return next;
-    }
-    if (fault_ != 0 || (begin_ == end_ && !fill())) return -1;
-    const char byte = buffer_[begin_++];
-    const bool is_first_line = head_lines_ == 0;
-    if (++head_bytes_ > limits_.head_bytes || ++line_bytes_ > limits_.line_bytes)
-        return refuse(is_first_line ? 414 : 431);
-    if (byte == '\0' || (byte == '\n') != (previous_ == '\r')) return refuse(400);
-    if (byte == '\n') {
-        const bool is_blank = line_bytes_ == 2;
-        if (++head_lines_ > limits_.head_lines && !is_blank) return refuse(431);
-        line_bytes_ = 0;
-    }
-    if (byte == '%' && !is_first_line) pending_ = "25";
-    previous_ = byte;
-    return static_cast<unsigned char>(byte);
-}
-
-void Connection::head_ended() {
-    deadline_ = Clock::now() + limits_.body;
-    stall_ = limits_.stall;
-}
-
-std::ptrdiff_t Connection::read(char* const to, const std::size_t count) {
-    if (begin_ == end_ && !fill()) return fault_ != 0 ? -1 : 0;
-    const std::size_t part = std::min(count, end_ - begin_);
-    std::copy_n(buffer_.data() + begin_, part, to);
-    begin_ += part;
-    return static_cast<std::ptrdiff_t>(part);
-}
-
-bool Connection::write(const std::string_view bytes) {
-    auto deadline = Clock::now() + limits_.write + std::chrono::seconds(bytes.size() / limits_.write_rate);
-    for (std::string_view rest = bytes; !rest.empty();) {
-        const ssize_t sent = ::send(descriptor_, rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-        if (sent > 0) {
-            has_answered_ = true;
-            rest.remove_prefix(static_cast<std::size_t>(sent));
-            continue;
-        }
-        if (stopping_) deadline = std::min(deadline, Clock::now() + kLastRequest);
-        const bool is_full = sent < 0 && (errno == EAGAIN || errno == EINTR);
-        if (!is_full || !wait_until(POLLOUT, std::min(deadline, Clock::now() + limits_.stall), false)) {
-            is_closing_ = true;
-            return false;
-        }
-    }
-    return true;
+    return Clock::time_point::max();
 }
 
 }  // namespace tuftwave::server

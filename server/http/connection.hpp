@@ -1,84 +1,101 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <string>
 #include <string_view>
-#include <vector>
+
+#include "http/answerer.hpp"
+#include "http/library.hpp"
+#include "http/poller.hpp"
+#include "http/request_reader.hpp"
+#include "http/sockets.hpp"
 
 namespace tuftwave::server {
 
-/// What one connection may cost. All times are totals, so that a client that sends one byte now and then gains nothing.
-struct ConnectionLimits {
-    std::chrono::milliseconds idle{2'000};    ///< until a request begins
+/// How long each part of an exchange may take. All are totals, so that a client that sends or takes one byte now and
+/// then gains nothing.
+struct Patience {
+    std::chrono::milliseconds idle{15'000};   ///< until a request begins
     std::chrono::milliseconds head{5'000};    ///< from a request's first byte to the end of its headers
-    std::chrono::milliseconds body{60'000};   ///< from there to the end of its body
-    std::chrono::milliseconds stall{10'000};  ///< without a single byte of a body in or an answer out
+    std::chrono::milliseconds body{10'000};   ///< from there to the end of its body
     std::chrono::milliseconds write{15'000};  ///< for an answer, and a second more for every `write_rate` bytes
+    std::chrono::milliseconds stall{10'000};  ///< without a byte of an answer taken
+    std::chrono::milliseconds linger{2'000};  ///< behind a last answer
     std::size_t write_rate = 64 * 1024;       ///< bytes per second
-    std::size_t line_bytes = 8 * 1024;        ///< request line, or one header
-    std::size_t head_bytes = 16 * 1024;       ///< request line and headers
-    std::size_t head_lines = 65;              ///< request line and headers
 };
 
-/// One accepted socket, read and written under limits. What is read ahead is kept, so requests may come back to back.
+/// One client: its socket, what it sent and what it gets. Moves bytes and keeps the time; what they mean is decided by
+/// the listener.
 class Connection {
   public:
-    /// @param descriptor  closed with the connection
-    /// @param stopping    once true, only a request that has arrived is still read
-    Connection(int descriptor, const ConnectionLimits& limits, const std::atomic<bool>& stopping);
-    ~Connection();
-    Connection(const Connection&) = delete;
-    Connection& operator=(const Connection&) = delete;
+    using Clock = std::chrono::steady_clock;
+    enum class Phase { kReading, kAnswering, kWriting, kLingering };
+    enum class Sent { kAll, kSome, kFailed };
 
-    /// Waits for the first byte of the next request. @return  false if none came
-    bool wait_for_request();
+    Connection(Descriptor socket, const std::uint64_t its_id) : id(its_id), socket_(std::move(socket)) {}
 
-    /// The next byte of a request's head, or -1 at its end and where it breaks a limit: fault() then says which. Lines
-    /// must end with CR LF. "%" comes as "%25" in headers, for a library that decodes their values.
-    int head_byte();
+    const std::uint64_t id;
+    RequestReader reader;
+    Admission admission;         ///< of the request that is being read
+    std::stop_source work;       ///< what computes the answer, in kAnswering
+    Interest interest;           ///< that the poller was told
+    std::size_t requests = 0;    ///< handed over
+    std::size_t body_bytes = 0;  ///< counted against the listener's budget
+    bool is_gone = false;        ///< closed, but an answer is still being made
 
-    /// The head has been read; from here on the limits of a body hold.
-    void head_ended();
+    Phase phase() const { return phase_; }
 
-    /// Reads up to `count` bytes of a body; 0 at the end of the connection, -1 if it failed or took too long.
-    std::ptrdiff_t read(char* to, std::size_t count);
+    /// Reads once, into the buffer. @return  nothing if nothing has come; ended() then tells of the end
+    std::string_view receive(std::span<char> buffer);
+    bool has_ended() const { return has_ended_; }
 
-    /// Writes everything. @return  false if the client went away or takes it too slowly
-    bool write(std::string_view bytes);
+    /// Keeps what was received and is another request's.
+    void keep(std::string_view bytes) { kept_ = bytes; }
+    std::string take_kept() { return std::exchange(kept_, {}); }
 
-    /// The status for a request that broke a limit of its head or came too slowly; 0 if it did not.
-    int fault() const { return fault_; }
+    /// A request is complete: somebody makes its answer.
+    void begin_answering() { phase_ = Phase::kAnswering; }
 
-    /// Whether anything has been written since the request began.
-    bool has_answered() const { return has_answered_; }
+    /// @param closes  whether the connection is over behind this answer
+    void begin_writing(Message message, bool closes);
+    std::size_t unsent() const { return message_.size() - sent_; }
+    bool closes() const { return closes_; }
+    /// Writes what the socket takes, a part of what is there. On kAll it reads again.
+    Sent send();
+    /// Writes a few bytes besides. @return  false if they do not fit
+    bool send_at_once(std::string_view bytes);
 
-    void close_after_this() { is_closing_ = true; }
-    bool is_closing() const { return is_closing_ || stopping_; }
+    /// Says that nothing more will come, and waits until the client says so, too: closing while it still sends would
+    /// reset the connection, and the answer could be lost on its way.
+    void begin_lingering();
+    /// Drops what still comes. @return  false at the end
+    bool drop_input();
 
-    int descriptor() const { return descriptor_; }
+    void close() { socket_.close(); }
+    int socket() const { return socket_.number(); }
+
+    /// When the present phase is too long. @param idle  patience with a connection that has nothing to do
+    Clock::time_point due(const Patience& patience, std::chrono::milliseconds idle) const;
+    bool is_idle() const { return phase_ == Phase::kReading && !reader.has_begun(); }
+
+    /// Notes that a part has begun: the head, the body, or waiting.
+    void restart_clock() { since_ = Clock::now(); }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
-    bool fill();
-    bool wait_until(short event, Clock::time_point deadline, bool gives_way);
-    void linger();
-    int refuse(int status);
-
-    const int descriptor_;
-    const ConnectionLimits limits_;
-    const std::atomic<bool>& stopping_;
-    std::vector<char> buffer_;
-    std::size_t begin_ = 0, end_ = 0;  // of what was read ahead
-    Clock::time_point deadline_;       // of what is being read
-    std::chrono::milliseconds stall_{0};
-    std::size_t head_bytes_ = 0, line_bytes_ = 0, head_lines_ = 0;  // read so far
-    char previous_ = 0;
-    std::string_view pending_;  // to be handed out before the next byte
-    int fault_ = 0;
-    bool has_answered_ = false;
-    bool is_closing_ = false;
+    Descriptor socket_;
+    Phase phase_ = Phase::kReading;
+    Clock::time_point since_ = Clock::now();     // of the present part
+    Clock::time_point progress_ = Clock::now();  // of writing
+    std::string kept_;
+    Message message_;
+    std::size_t sent_ = 0;
+    std::size_t dropped_ = 0;
+    bool closes_ = false;
+    bool has_ended_ = false;
 };
 
 }  // namespace tuftwave::server

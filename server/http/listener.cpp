@@ -1,292 +1,374 @@
 #include "http/listener.hpp"
 
-#include <httplib.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
+#include <algorithm>
+#include <array>
 #include <atomic>
-#include <cerrno>
-#include <cstdint>
-#include <exception>
+#include <chrono>
 #include <string_view>
-#include <system_error>
+#include <unordered_map>
 #include <utility>
-#include <vector>
 
-#include "http/connection.hpp"
-#include "http/framing.hpp"
-
-// The library accepts connections, parses the head of a request and writes the answer. Reading is ours (connection.hpp,
-// framing.hpp), because what Debian ships (0.11.4 and 0.18.7) has no limit on lines, headers, chunked bodies and total
-// time, and takes doubtful framing. So its content readers, routes, decompression and multipart parser never run.
+#include "http/debt.hpp"
+#include "http/library.hpp"
+#include "http/mailbox.hpp"
+#include "http/poller.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kRequestsPerConnection = 1'000;
-constexpr int kBacklog = 1'024;  // the library's own is 5: a burst of connections would wait a second and more
-constexpr ConnectionLimits kLimits;
+using Clock = Connection::Clock;
+using Phase = Connection::Phase;
 
-/// Shows a connection to the library, which may read heads from it and write answers to it.
-class HeadStream final : public httplib::Stream {
-  public:
-    explicit HeadStream(Connection& connection) : connection_(connection) {}
-
-    bool is_readable() const override { return true; }
-    bool is_writable() const override { return true; }
-    ssize_t read(char* to, const size_t count) override {
-        if (count == 0) return 0;
-        const int byte = connection_.head_byte();
-        if (byte < 0) return -1;
-        *to = static_cast<char>(byte);
-        return 1;
-    }
-    ssize_t write(const char* bytes, const size_t count) override {
-        return connection_.write({bytes, count}) ? static_cast<ssize_t>(count) : -1;
-    }
-    void get_remote_ip_and_port(std::string&, int&) const override {}  // nobody asks
-    void get_local_ip_and_port(std::string&, int&) const override {}
-    socket_t socket() const override { return connection_.descriptor(); }
-
-  private:
-    Connection& connection_;
-};
-
-/// The connection that this thread serves: the library's handlers have no other way to learn it.
-thread_local Connection* this_connection = nullptr;
-
-/// Where Accept-Encoding waits while the library answers: no client can send a name with a colon.
-const std::string kHiddenAcceptEncoding = ":accept-encoding";
-
-/// Keeps the library from acting on these by itself: it would cut and repeat the answer (Range), and pack it with
-/// brotli at its slowest.
-void disarm(httplib::Request& request) {
-    request.ranges.clear();
-    for (const char* name : {"Range", "If-Range"}) request.headers.erase(name);
-    std::vector<std::string> codings;
-    const auto [begin, end] = request.headers.equal_range("Accept-Encoding");
-    for (auto coding = begin; coding != end; ++coding) codings.push_back(coding->second);
-    request.headers.erase("Accept-Encoding");
-    for (std::string& coding : codings) request.headers.emplace(kHiddenAcceptEncoding, std::move(coding));
-}
-
-/// Lower case, and without the four that the library adds (and that a client could send as well).
-NameValues headers_of(const httplib::Request& from) {
-    NameValues headers;
-    for (const auto& [name, value] : from.headers) {
-        if (name == "REMOTE_ADDR" || name == "REMOTE_PORT" || name == "LOCAL_ADDR" || name == "LOCAL_PORT") continue;
-        std::string lower = name == kHiddenAcceptEncoding ? name.substr(1) : name;
-        for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-        headers.emplace_back(std::move(lower), value);
-    }
-    return headers;
-}
-
-void deliver(Response from, httplib::Response& to) {
-    to.status = from.status;
-    to.body = std::move(from.body);
-    to.headers.erase("Content-Type");
-    if (!from.content_type.empty()) to.set_header("Content-Type", from.content_type);
-    for (const auto& [name, value] : from.headers) to.set_header(name, value);
-}
-
-/// An answer that the library does not write, since it never saw a whole head.
-std::string bare_message(const Response& response) {
-    std::string message = "HTTP/1.1 " + std::to_string(response.status) +
-                          " Refused\r\nContent-Type: " + response.content_type +
-                          "\r\nContent-Length: " + std::to_string(response.body.size()) +
-                          "\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n";
-    for (const auto& [name, value] : response.headers) message += name + ": " + value + "\r\n";
-    return message + "\r\n" + response.body;
-}
-
-using SetUp = std::function<void(httplib::Request&)>;
-
-/// process_request of 0.11.4 and of 0.18.7: whichever the library has is called.
-[[maybe_unused]] bool process(httplib::Server& server,
-                              bool (httplib::Server::*request)(httplib::Stream&, bool, bool&, const SetUp&),
-                              httplib::Stream& stream, const bool is_last, bool& is_closed, const SetUp& set_up) {
-    return (server.*request)(stream, is_last, is_closed, set_up);
-}
-[[maybe_unused]] bool process(httplib::Server& server,
-                              bool (httplib::Server::*request)(httplib::Stream&, const std::string&, int,
-                                                               const std::string&, int, bool, bool&, const SetUp&),
-                              httplib::Stream& stream, const bool is_last, bool& is_closed, const SetUp& set_up) {
-    return (server.*request)(stream, "", 0, "", 0, is_last, is_closed, set_up);
-}
+constexpr std::uint64_t kDoor = 0;  // the listening socket among the connections
+constexpr auto kTick = std::chrono::milliseconds(50);
+constexpr std::size_t kRequestsPerConnection = 10'000;
+constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
+constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
+constexpr std::size_t kFreeBodyBytes =
+    64 * 1024;                                // of each: small requests go on when large ones have used the budget up
+constexpr std::size_t kMostTurnedAway = 128;  // that wait, to read why
+constexpr std::size_t kAcceptsAtOnce = 256;
 
 }  // namespace
 
-class Listener::Server final : public httplib::Server {
+/// All but bind(), drain(), stop() and stats() belongs to the thread that serves.
+class Listener::Loop {
   public:
-    Server(ListenerOptions options, Handle handle, Problem problem)
-        : options_(std::move(options)), handle_(std::move(handle)), problem_(std::move(problem)) {
-        set_tcp_nodelay(true);
-        set_socket_options([](const socket_t sock) {
-            // Not SO_REUSEPORT, the library's choice, with which a forgotten server silently takes half of the
-            // requests.
-            const int yes = 1;
-            ::setsockopt(sock, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-        });
-        set_keep_alive_max_count(kRequestsPerConnection);  // these two only say what kLimits does
-        set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(kLimits.idle).count());
-        new_task_queue = [count = static_cast<std::size_t>(options_.connections)] {
-            return new httplib::ThreadPool(count);
-        };
-        set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-            deliver(answer(request), response);
-            return HandlerResponse::Handled;
-        });
-        set_error_handler(HandlerWithResponse([this](const httplib::Request& request, httplib::Response& response) {
-            const_cast<httplib::Request&>(request).ranges.clear();  // they would be applied to the problem, too
-            return explain(response);
-        }));
-        set_exception_handler([this](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
-            deliver(refused(500), response);
-        });
-        set_expect_100_continue_handler([this](const httplib::Request& request, httplib::Response& response) {
-            const int refusal = early_refusal(request);
-            if (refusal != 0) response.status = refusal;
-            return refusal != 0 ? refusal : 100;
-        });
-        set_post_routing_handler([this](const httplib::Request&, httplib::Response& response) { finish(response); });
-    }
-
-    ~Server() override {
-        if (listening_ >= 0) ::close(listening_);
-    }
+    Loop(ListenerOptions options, Answerer answerer) : options_(std::move(options)), answerer_(std::move(answerer)) {}
+    ~Loop() { mailbox_->close(); }
 
     std::variant<int, std::string> bind() {
-        errno = 0;
-        const int port = options_.port == 0                           ? bind_to_any_port(options_.host)
-                         : bind_to_port(options_.host, options_.port) ? options_.port
-                                                                      : -1;
-        if (port < 0 || ::listen(svr_sock_, kBacklog) != 0) {
-            const std::string reason = errno != 0 ? std::generic_category().message(errno) : "no such address";
-            return "cannot listen on " + options_.host + ":" + std::to_string(options_.port) + ": " + reason;
+        auto bound = listen_on(options_.host, options_.port);
+        if (auto* error = std::get_if<std::string>(&bound)) return std::move(*error);
+        door_ = std::move(std::get<Descriptor>(bound));
+        if (!poller_.add(door_.number(), kDoor, {true, false, false})) return "no memory to wait for connections";
+        return port_of(door_);
+    }
+
+    void serve() {
+        for (auto next_tick = Clock::now(); door_.is_open() || !connections_.empty();) {
+            poller_.wait(kTick, [this](const Event& event) { on_event(event); });
+            deliver_answers();
+            if (stopping_) close_the_door();
+            if (Clock::now() < next_tick && !stopping_) continue;
+            close_what_is_due();
+            wait_at_the_door(true);
+            next_tick = Clock::now() + kTick;
         }
-        listening_ = svr_sock_;
-        return port;
     }
 
-    bool serve() {
-        if (listen_after_bind()) return true;
-        listening_ = -1;  // the library has closed it
-        return stopping_;
-    }
+    void drain() { *draining_ = true; }
 
-    void drain() { draining_ = true; }
-
-    /// Unlike the library's stop() this also works before it serves, and leaves the number taken until it is not used
-    /// by any thread any more.
-    void halt() {
+    void stop() {
+        drain();
         stopping_ = true;
-        const socket_t listening = svr_sock_.exchange(INVALID_SOCKET);
-        if (listening != INVALID_SOCKET) ::shutdown(listening, SHUT_RDWR);
+        poller_.wake();
     }
+
+    Stats stats() const { return {open_, accepted_, turned_away_, body_bytes_, answer_bytes_}; }
 
   private:
-    /// Serves one connection. Overrides the library's loop, on one of its threads.
-    bool process_and_close_socket(const socket_t sock) override {
-        try {
-            Connection connection(sock, kLimits, stopping_);
-            this_connection = &connection;
-            for (std::size_t i = 1; i <= kRequestsPerConnection; ++i) {
-                if (!connection.wait_for_request() || !serve_request(connection, i == kRequestsPerConnection)) break;
-            }
-        } catch (...) {  // out of memory: this connection goes, the process stays
+    // Connections come and go
+
+    /// @return  whether more may be waiting
+    bool accept_some() {
+        for (std::size_t i = 0; i < kAcceptsAtOnce; ++i) {
+            Accepted accepted = accept_from(door_);
+            if (accepted.out_of_descriptors) wait_at_the_door(false);
+            if (!accepted.socket.is_open()) return false;
+            ++accepted_;
+            guarded([&] { welcome(std::move(accepted.socket)); });
         }
-        this_connection = nullptr;
         return true;
     }
 
-    /// @return  whether another request may follow
-    bool serve_request(Connection& connection, const bool is_last) {
-        HeadStream stream(connection);
-        bool is_closed = false;
-        const auto set_up = [&](httplib::Request& request) {
-            connection.head_ended();
-            disarm(request);
-        };
-        const bool is_sound = process(*this, &Server::process_request, stream, is_last, is_closed, set_up);
-        if (connection.fault() != 0 && !connection.has_answered())
-            connection.write(bare_message(problem_(connection.fault())));
-        return is_sound && !is_closed && !connection.is_closing();
+    void welcome(Descriptor socket) {
+        const bool is_one_too_many = connections_.size() >= options_.connections;
+        if (is_one_too_many) ++turned_away_;
+        if (connections_.size() >= options_.connections + kMostTurnedAway) return;
+        const std::uint64_t id = ++last_id_;
+        if (!poller_.add(socket.number(), id, kReads)) return;
+        auto made = std::make_unique<Connection>(std::move(socket), id);
+        made->interest = kReads;
+        Connection& connection = *connections_.emplace(id, std::move(made)).first->second;
+        open_ = connections_.size();
+        if (is_one_too_many) refuse(connection, 503);
     }
 
-    /// Closes the connection, since what follows on it may be no request.
-    Response refused(const int status) const {
-        this_connection->close_after_this();
-        return problem_(status);
+    /// Without descriptors the door would be knocked at all the time, and nobody could be let in.
+    void wait_at_the_door(const bool is_open) {
+        if (is_open == is_waiting_ || !door_.is_open()) return;
+        is_waiting_ = is_open;
+        poller_.change(door_.number(), kDoor, {is_open, false, false});
     }
 
-    Response answer(const httplib::Request& from) const {
-        Request request{from.method, "", {}, headers_of(from), ""};
-        std::optional<Target> target = parse_target(from.target);
-        const Framing framing = framing_of(request, from.version == "HTTP/1.0");
-        if (!target || framing.fault != 0) return refused(target ? framing.fault : 400);
-        const auto source = [](char* to, const std::size_t count) { return this_connection->read(to, count); };
-        Body body = read_body(source, framing, options_.body_limit(target->path));
-        if (!body.is_over) this_connection->close_after_this();
-        if (const int slow = this_connection->fault(); slow != 0) return refused(slow);
-        if (body.fault != 0) return problem_(body.fault);
-        request.path = std::move(target->path);
-        request.query = std::move(target->query);
-        request.body = std::move(body.bytes);
-        try {
-            return handle_(request);
-        } catch (...) {  // what it says is for us, never for a client
-            return problem_(500);
+    /// Whoever has knocked is still let in: a connection that the system has taken would else be reset.
+    void close_the_door() {
+        if (!door_.is_open()) return;
+        while (accept_some()) {
+        }
+        door_.close();
+    }
+
+    /// An answer that is still being made keeps the connection's place, since it keeps its memory.
+    void close(Connection& connection) {
+        connection.close();
+        if (connection.phase() == Phase::kWriting) answer_bytes_ -= connection.unsent();
+        if (connection.phase() == Phase::kAnswering && !connection.is_gone) {
+            connection.is_gone = true;
+            connection.work.request_stop();
+            return;
+        }
+        charge(connection, 0);
+        connections_.erase(connection.id);
+        open_ = connections_.size();
+    }
+
+    // What a connection sends
+
+    void on_event(const Event& event) {
+        if (event.id == kDoor) {
+            accept_some();
+            return;
+        }
+        const auto found = connections_.find(event.id);
+        if (found == connections_.end() || found->second->is_gone) return;
+        Connection& connection = *found->second;
+        if (!guarded([&] { on_event(connection, event); })) close(connection);
+    }
+
+    void on_event(Connection& connection, const Event& event) {
+        if (event.is_broken) return close(connection);
+        switch (connection.phase()) {
+            case Phase::kReading:
+                return read(connection);
+            case Phase::kAnswering:  // a client that closes its side has gone: what it asked for is for nobody
+                if (event.has_peer_closed) return close(connection);
+                return look_for(connection, kOnlyTheEnd);
+            case Phase::kWriting:
+                if (!event.can_write) return look_for(connection, kWrites);
+                if (write(connection)) resume(connection);
+                return;
+            case Phase::kLingering:
+                if (!connection.drop_input()) close(connection);
         }
     }
 
-    /// Whether a client that asks before it sends a body should not: the status, or 0.
-    int early_refusal(const httplib::Request& from) const {
-        const Framing framing = framing_of({from.method, "", {}, headers_of(from), ""}, from.version == "HTTP/1.0");
-        const std::optional<Target> target = parse_target(from.target);
-        if (!target || framing.fault != 0) return target ? framing.fault : 400;
-        return framing.length > options_.body_limit(target->path) ? 413 : 0;
+    void read(Connection& connection) {
+        for (int i = 0; i < kPiecesAtOnce && connection.phase() == Phase::kReading; ++i) {
+            const RequestReader& reader = connection.reader;
+            const std::size_t piece =
+                reader.is_in_body() ? std::clamp<std::size_t>(reader.body_bytes_left(), 1, kBodyPiece) : kHeadPiece;
+            const std::string_view bytes = connection.receive(std::span(buffer_).first(piece));
+            if (connection.has_ended()) return close(connection);
+            if (bytes.empty() || !go_on(connection, bytes)) return;
+        }
     }
 
-    /// Gives the library's own errors a body. Ours have one, and with it a type.
-    HandlerResponse explain(httplib::Response& response) const {
-        if (response.has_header("Content-Type")) return HandlerResponse::Unhandled;
-        const int fault = this_connection->fault();
-        deliver(refused(fault != 0 ? fault : response.status), response);
-        return HandlerResponse::Handled;
+    void resume(Connection& connection) {
+        const std::string kept = connection.take_kept();
+        if (!kept.empty()) go_on(connection, kept);
     }
 
-    /// The last word on the headers of every answer.
-    void finish(httplib::Response& response) const {
-        response.set_header("X-Content-Type-Options", "nosniff");
-        response.headers.erase("Accept-Ranges");  // the library claims it for HEAD
-        if (response.status == 204 || response.status == 304) response.headers.erase("Content-Length");
-        if (draining_) this_connection->close_after_this();
-        if (!this_connection->is_closing()) return;
-        response.headers.erase("Keep-Alive");
-        response.headers.erase("Connection");
-        response.set_header("Connection", "close");
+    /// Goes on as far as these bytes reach. @return  false if the connection is closed
+    bool go_on(Connection& connection, std::string_view bytes) {
+        while (connection.phase() == Phase::kReading) {
+            if (connection.is_idle()) connection.restart_clock();
+            bool is_open = true;
+            switch (connection.reader.take(bytes)) {
+                case RequestReader::Step::kWantsMore:
+                    return count_body(connection);
+                case RequestReader::Step::kHead:
+                    is_open = on_head(connection, !bytes.empty());
+                    break;
+                case RequestReader::Step::kRequest:
+                    hand_over(connection);
+                    break;
+                case RequestReader::Step::kRefused:
+                    return refuse(connection, connection.reader.refusal());
+            }
+            if (!is_open) return false;
+        }
+        if (connection.phase() != Phase::kLingering) connection.keep(bytes);
+        return true;
     }
+
+    /// @return  false if the connection is closed
+    bool on_head(Connection& connection, const bool has_more) {
+        const RequestHead& head = connection.reader.head();
+        std::variant<Admission, Response> verdict = answerer_.admit(head.request);
+        if (auto* early = std::get_if<Response>(&verdict)) {
+            const std::string method = head.request.method;
+            const bool closes = head.has_body() || head.wants_close;
+            connection.reader.skip_body();
+            return answer(connection, method, std::move(*early), closes);
+        }
+        connection.admission = std::get<Admission>(std::move(verdict));
+        connection.reader.allow_body(connection.admission.most_body_bytes);
+        connection.restart_clock();
+        const bool waits = head.expects_continue && head.has_body() && !has_more && connection.reader.refusal() == 0;
+        if (!waits || connection.send_at_once("HTTP/1.1 100 Continue\r\n\r\n")) return true;
+        close(connection);
+        return false;
+    }
+
+    /// Keeps to the budget of all bodies. @return  false if the connection is closed
+    bool count_body(Connection& connection) {
+        charge(connection, connection.reader.body_bytes());
+        if (body_bytes_ <= options_.body_memory || connection.body_bytes <= kFreeBodyBytes) return true;
+        return refuse(connection, 503);
+    }
+
+    void charge(Connection& connection, const std::size_t bytes) {
+        body_bytes_ += bytes - connection.body_bytes;
+        connection.body_bytes = bytes;
+    }
+
+    void hand_over(Connection& connection) {
+        const RequestHead& head = connection.reader.head();
+        const bool closes = head.wants_close || ++connection.requests >= kRequestsPerConnection;
+        const auto debt =
+            std::make_shared<Debt>(mailbox_, library_, draining_, connection.id, head.request.method, closes);
+        charge(connection, connection.reader.body_bytes());
+        connection.work = std::stop_source();
+        connection.begin_answering();
+        const Admission admission = std::move(connection.admission);
+        try {
+            admission.answer(connection.reader.take_request(), connection.work,
+                             [debt](Response answer) { debt->pay(std::move(answer)); });
+        } catch (...) {  // what it says is for us, never for a client
+            debt->pay(answerer_.refuse(500));
+        }
+    }
+
+    // What it gets
+
+    void deliver_answers() {
+        for (Letter& letter : mailbox_->collect()) {
+            const auto found = connections_.find(letter.connection);
+            if (found == connections_.end()) continue;
+            Connection& connection = *found->second;
+            charge(connection, 0);
+            if (!guarded([&] { deliver(connection, letter); })) close(connection);
+        }
+    }
+
+    void deliver(Connection& connection, Letter& letter) {
+        if (connection.is_gone || letter.message.head.empty()) return forget(connection);
+        const bool is_too_much = answer_bytes_ > 0 && answer_bytes_ + letter.message.size() > options_.answer_memory;
+        const bool is_open =
+            is_too_much ? refuse(connection, 503) : send(connection, std::move(letter.message), letter.closes);
+        if (is_open) resume(connection);
+    }
+
+    void forget(Connection& connection) {
+        connection.is_gone = true;
+        close(connection);
+    }
+
+    /// @return  false if the connection is closed
+    bool refuse(Connection& connection, const int status) {
+        return answer(connection, "GET", answerer_.refuse(status), true);
+    }
+
+    bool answer(Connection& connection, const std::string& method, Response answer, const bool closes) {
+        const bool is_last = closes || *draining_;
+        return send(connection, library_->message(method, std::move(answer), is_last), is_last);
+    }
+
+    bool send(Connection& connection, Message message, const bool closes) {
+        charge(connection, 0);
+        answer_bytes_ += message.size();
+        connection.begin_writing(std::move(message), closes);
+        return write(connection);
+    }
+
+    /// @return  false if the connection is closed
+    bool write(Connection& connection) {
+        const std::size_t before = connection.unsent();
+        const Connection::Sent sent = connection.send();
+        answer_bytes_ -= before - connection.unsent();
+        if (sent == Connection::Sent::kFailed) {
+            close(connection);
+            return false;
+        }
+        if (sent == Connection::Sent::kAll && connection.closes()) connection.begin_lingering();
+        look_for(connection, sent == Connection::Sent::kSome ? kWrites : kReads);
+        return true;
+    }
+
+    void look_for(Connection& connection, const Interest interest) {
+        if (connection.interest == interest) return;
+        connection.interest = interest;
+        poller_.change(connection.socket(), connection.id, interest);
+    }
+
+    // What takes too long
+
+    /// The fewer places are left, the sooner a connection that does nothing has to go.
+    std::chrono::milliseconds idle_patience() const {
+        const std::size_t open = connections_.size(), places = options_.connections;
+        if (stopping_) return std::chrono::milliseconds(0);
+        if (open * 10 >= places * 9) return options_.patience.idle / 15;
+        if (open * 4 >= places * 3) return options_.patience.idle / 5;
+        return options_.patience.idle;
+    }
+
+    void close_what_is_due() {
+        const auto now = Clock::now();
+        const std::chrono::milliseconds idle = idle_patience();
+        std::vector<Connection*> due;
+        for (const auto& [id, connection] : connections_) {
+            if (now >= connection->due(options_.patience, idle)) due.push_back(connection.get());
+        }
+        for (Connection* connection : due) {
+            const bool is_slow = connection->phase() == Phase::kReading && !connection->is_idle();
+            if (!is_slow || !guarded([&] { refuse(*connection, 408); })) close(*connection);
+        }
+    }
+
+    /// @return  false if there was no memory for it
+    template <class Act>
+    static bool guarded(const Act& act) {
+        try {
+            act();
+            return true;
+        } catch (...) {
+            return false;
+        }
+    }
+
+    static constexpr Interest kReads{true, false, true}, kWrites{false, true, false}, kOnlyTheEnd{false, false, true};
 
     const ListenerOptions options_;
-    const Handle handle_;
-    const Problem problem_;
-    std::atomic<bool> draining_ = false;
+    const Answerer answerer_;
+    Poller poller_;
+    const std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>(poller_);
+    const std::shared_ptr<const Library> library_ = std::make_shared<const Library>();
+    const std::shared_ptr<std::atomic<bool>> draining_ = std::make_shared<std::atomic<bool>>(false);
     std::atomic<bool> stopping_ = false;
-    int listening_ = -1;
+    Descriptor door_;
+    bool is_waiting_ = true;  // for somebody to knock
+    std::unordered_map<std::uint64_t, std::unique_ptr<Connection>> connections_;
+    std::uint64_t last_id_ = kDoor;
+    std::array<char, kBodyPiece> buffer_;
+    std::atomic<std::size_t> open_ = 0, body_bytes_ = 0, answer_bytes_ = 0;
+    std::atomic<std::uint64_t> accepted_ = 0, turned_away_ = 0;
 };
 
-Listener::Listener(ListenerOptions options, Handle handle, Problem problem)
-    : server_(std::make_unique<Server>(std::move(options), std::move(handle), std::move(problem))) {}
+Listener::Listener(ListenerOptions options, Answerer answerer)
+    : loop_(std::make_unique<Loop>(std::move(options), std::move(answerer))) {}
 
 Listener::~Listener() = default;
 
-std::variant<int, std::string> Listener::bind() { return server_->bind(); }
+std::variant<int, std::string> Listener::bind() { return loop_->bind(); }
 
-bool Listener::serve() { return server_->serve(); }
+void Listener::serve() { loop_->serve(); }
 
-void Listener::drain() { server_->drain(); }
+void Listener::drain() { loop_->drain(); }
 
-void Listener::stop() { server_->halt(); }
+void Listener::stop() { loop_->stop(); }
+
+Listener::Stats Listener::stats() const { return loop_->stats(); }
 
 }  // namespace tuftwave::server

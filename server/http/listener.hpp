@@ -1,34 +1,37 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
 
-#include "api/exchange.hpp"
+#include "http/answerer.hpp"
+#include "http/connection.hpp"
 
 namespace tuftwave::server {
 
 struct ListenerOptions {
     std::string host = "127.0.0.1";
-    int port = 0;          ///< 0 picks a free one
-    int connections = 64;  ///< threads, one for each open connection
-    /// The most bytes of the body of a request for a path.
-    std::function<std::size_t(const std::string& path)> body_limit = [](const std::string&) { return 1024 * 1024; };
+    int port = 0;                                   ///< 0 picks a free one
+    std::size_t connections = 64;                   ///< open at once; the next one gets 503
+    std::size_t body_memory = 64 * 1024 * 1024;     ///< bytes of all bodies; the first 64 KiB of each are free
+    std::size_t answer_memory = 192 * 1024 * 1024;  ///< bytes of all answers that clients have not taken yet
+    Patience patience{};
 };
 
-/// Speaks HTTP/1.1 on one port and hands complete requests on. Every answer of its own (bad framing, a body over the
-/// limit, too slow, an exception) is made by `problem`, so that clients see one kind of error.
+/// Speaks HTTP/1.1 on one port. One thread waits for all connections, so that thousands of slow ones cost memory and no
+/// thread; each request is read completely, under deadlines, before anybody else sees it.
 class Listener {
   public:
-    using Handle = std::function<Response(const Request&)>;
-    using Problem = std::function<Response(int status)>;
+    struct Stats {
+        std::size_t connections = 0;                   ///< open now
+        std::uint64_t accepted = 0;                    ///< since the start
+        std::uint64_t turned_away = 0;                 ///< of these, since there were too many
+        std::size_t body_bytes = 0, answer_bytes = 0;  ///< held now
+    };
 
-    /// @param handle   called by several threads at once, for every method (also HEAD, whose body is then left out) and
-    ///                 every path. If it throws, the client gets problem(500).
-    /// @param problem  the body for a status of 400 and above
-    Listener(ListenerOptions options, Handle handle, Problem problem);
+    Listener(ListenerOptions options, Answerer answerer);
     /// Stop it and let serve() return before.
     ~Listener();
     Listener(const Listener&) = delete;
@@ -39,19 +42,20 @@ class Listener {
     [[nodiscard]] std::variant<int, std::string> bind();
 
     /// Serves until stop(). Call it once, after bind().
-    /// @return  false if it ended without stop()
-    [[nodiscard]] bool serve();
+    void serve();
 
     /// From now on every answer says "Connection: close", so that clients go elsewhere.
     void drain();
 
-    /// Accepts no more. Requests that have arrived are still answered, idle connections closed; then serve() returns.
+    /// Accepts no more. Requests that have begun are still answered, idle connections closed; then serve() returns.
     /// May be called at any time by any thread, also before serve().
     void stop();
 
+    Stats stats() const;
+
   private:
-    class Server;
-    std::unique_ptr<Server> server_;
+    class Loop;
+    std::unique_ptr<Loop> loop_;
 };
 
 }  // namespace tuftwave::server

@@ -1,13 +1,14 @@
 #include "http/run.hpp"
 
 #include <pthread.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <thread>
 #include <variant>
@@ -22,8 +23,9 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr int kAdminConnections = 4;  // probes and one scraper
-constexpr std::size_t kAdminBodyBytes = 1'024;
+constexpr std::size_t kAdminConnections = 64;  // probes and scrapers
+constexpr std::size_t kMiB = 1024 * 1024;
+constexpr rlim_t kOtherDescriptors = 64;  // than connections
 
 int worker_count(const Config& config) {
     return config.workers > 0 ? config.workers : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -58,11 +60,11 @@ class EndSignals {
     sigset_t set_;
 };
 
-/// A listener and the thread that accepts for it.
+/// A listener and its thread.
 class Door {
   public:
-    Door(ListenerOptions options, Listener::Handle handle, Listener::Problem problem)
-        : host_(options.host), listener_(std::move(options), std::move(handle), std::move(problem)) {}
+    Door(ListenerOptions options, Answerer answerer)
+        : host_(options.host), listener_(std::move(options), std::move(answerer)) {}
     ~Door() { close(); }
 
     /// @return  whether it has its port; otherwise it says why not
@@ -73,13 +75,8 @@ class Door {
         if (const int* port = std::get_if<int>(&bound)) address_ = url(host_, *port);
         return !address_.empty();
     }
-    /// Sends this process SIGTERM if it ends by itself.
     void open() {
-        thread_ = std::thread([this] {
-            if (listener_.serve()) return;
-            has_failed_ = true;
-            ::kill(::getpid(), SIGTERM);
-        });
+        thread_ = std::thread([this] { listener_.serve(); });
     }
     void drain() { listener_.drain(); }
     void close() {
@@ -87,15 +84,42 @@ class Door {
         if (thread_.joinable()) thread_.join();
     }
     const std::string& address() const { return address_; }
-    bool has_failed() const { return has_failed_; }
+    Traffic traffic() const {
+        const Listener::Stats stats = listener_.stats();
+        return {stats.connections, stats.accepted, stats.turned_away, stats.body_bytes, stats.answer_bytes};
+    }
 
   private:
     const std::string host_;
     Listener listener_;
     std::string address_;
-    std::atomic<bool> has_failed_ = false;
     std::thread thread_;
 };
+
+ListenerOptions public_options(const Config& config) {
+    ListenerOptions options{config.host, config.port, static_cast<std::size_t>(config.connections)};
+    options.body_memory = static_cast<std::size_t>(config.body_mib) * kMiB;
+    options.answer_memory = static_cast<std::size_t>(config.answer_mib) * kMiB;
+    return options;
+}
+
+/// What needs no body and is answered on the spot.
+Admission at_once(std::function<Response(const Request&)> answer) {
+    return {0, [answer = std::move(answer)](const Request& request, const std::stop_source&, const Reply& reply) {
+                reply(answer(request));
+            }};
+}
+
+/// As many as there may be connections, if the system allows.
+/// @return  whether it does
+bool allow_descriptors(const rlim_t count) {
+    rlimit limit{};
+    ::getrlimit(RLIMIT_NOFILE, &limit);
+    if (limit.rlim_cur >= count) return true;
+    limit.rlim_cur = std::min(count, limit.rlim_max);
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+    return limit.rlim_cur >= count;
+}
 
 }  // namespace
 
@@ -105,15 +129,15 @@ int run(const Config& config) {
     log_options.level = config.log_level;
     log_options.format = config.log_format;
     Log log(log_options);
-    Pool pool(worker_count(config), static_cast<std::size_t>(config.queue));
+    Pool pool(worker_count(config), static_cast<std::size_t>(config.queue),
+              std::chrono::duration<double>(config.queue_seconds));
     Service service(config, pool, log);
-    Door front(
-        {config.host, config.port, config.connections, body_limit},
-        [&](const Request& request) { return service.handle(request); },
-        [&](int status) { return service.refuse(status); });
-    Door admin(
-        {config.admin_host, config.admin_port, kAdminConnections, [](const std::string&) { return kAdminBodyBytes; }},
-        [&](const Request& request) { return service.handle_admin(request); }, Service::admin_problem);
+    Door front(public_options(config), {[&](const Request& head) { return service.admit(head); },
+                                        [&](const int status) { return service.refuse(status); }});
+    const Admission ask_admin =
+        at_once([&](const Request& request) { return service.handle_admin(request, front.traffic()); });
+    Door admin({config.admin_host, config.admin_port, kAdminConnections},
+               {[&](const Request&) { return ask_admin; }, Service::admin_problem});
     if (!front.bind() || !admin.bind()) return 1;
     front.open();
     admin.open();
@@ -123,8 +147,8 @@ int run(const Config& config) {
     log.event(Log::Level::kInfo, "ready",
               {{"version", kVersion}, {"address", front.address()}, {"admin", admin.address()}});
 
-    if (config.connections <= config.queue + worker_count(config))
-        log.event(Log::Level::kWarn, "the queue cannot fill: connections <= queue + workers, so nobody is refused");
+    if (!allow_descriptors(static_cast<rlim_t>(config.connections) + kOtherDescriptors))
+        log.event(Log::Level::kWarn, "fewer files may be open than connections: some will wait to be accepted");
 
     signals.wait();
     signals.let_the_next_one_end_the_process();
@@ -136,7 +160,7 @@ int run(const Config& config) {
     pool.stop();
     admin.close();
     log.event(Log::Level::kInfo, "stopped");
-    return front.has_failed() || admin.has_failed() ? 1 : 0;
+    return 0;
 }
 
 }  // namespace tuftwave::server

@@ -76,10 +76,16 @@ std::string Metrics::text(const Gauges& gauges) const {
     single(out, "tuftwave_pool_busy", "gauge", "Workers at work.", gauges.busy);
     single(out, "tuftwave_pool_queue_depth", "gauge", "Computations waiting.", gauges.queued);
     single(out, "tuftwave_pool_queue_capacity", "gauge", "Computations that may wait.", gauges.capacity);
-    describe(out, "tuftwave_pool_saturation", "gauge", "Busy and waiting over what there is room for, 0 to 1.");
-    sample(out, "tuftwave_pool_saturation", "",
-           to_text(static_cast<double>(gauges.busy + gauges.queued) /
-                   static_cast<double>(gauges.workers + gauges.capacity)));
+    describe(out, "tuftwave_pool_saturation", "gauge", "0: nothing to do; 0.5: every worker is busy; 1: full.");
+    sample(out, "tuftwave_pool_saturation", "", to_text(gauges.saturation));
+    const Traffic& traffic = gauges.traffic;
+    single(out, "tuftwave_connections", "gauge", "Connections open.", traffic.connections);
+    single(out, "tuftwave_connections_accepted_total", "counter", "Connections accepted.", traffic.accepted);
+    single(out, "tuftwave_connections_refused_total", "counter", "Connections refused since too many were open.",
+           traffic.turned_away);
+    single(out, "tuftwave_request_body_bytes", "gauge", "Bytes of bodies held.", traffic.body_bytes);
+    single(out, "tuftwave_unsent_answer_bytes", "gauge", "Bytes of answers that clients have not taken.",
+           traffic.answer_bytes);
     single(out, "tuftwave_log_lines_dropped_total", "counter", "Log lines that nobody read in time.",
            gauges.dropped_log_lines);
     return out;

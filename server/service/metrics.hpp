@@ -11,10 +11,19 @@
 
 namespace tuftwave::server {
 
-/// The worker pool and log as the metrics show them.
+/// The public listener as the metrics show it.
+struct Traffic {
+    std::uint64_t connections = 0;                   ///< open now
+    std::uint64_t accepted = 0, turned_away = 0;     ///< since the start
+    std::uint64_t body_bytes = 0, answer_bytes = 0;  ///< held now
+};
+
+/// Everything that the metrics do not count by themselves.
 struct Gauges {
     std::uint64_t workers = 0, busy = 0, queued = 0, capacity = 0;
+    double saturation = 0;
     std::uint64_t dropped_log_lines = 0;
+    Traffic traffic;
 };
 
 /// Counters of the service in Prometheus' text form. Thread-safe.

@@ -1,13 +1,13 @@
 #include "service/service.hpp"
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <new>
-#include <optional>
+#include <utility>
 
 namespace tuftwave::server {
 namespace {
+
+constexpr std::size_t kFewDigits = 5;  // under 100,000 bytes
 
 double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -27,6 +27,9 @@ Response plain(int status, std::string text) {
     return {status, "text/plain; charset=utf-8", std::move(text), {{"Cache-Control", "no-store"}}};
 }
 
+/// Whether a body is so long that it is not worth reading when there is no room for the work.
+bool announces_much(const Request& head) { return head.header("content-length").size() > kFewDigits; }
+
 /// The problem behind a bare HTTP status.
 Problem http_problem(int status) {
     constexpr ProblemCode kCodes[] = {ProblemCode::kNotFound,
@@ -36,116 +39,103 @@ Problem http_problem(int status) {
                                       ProblemCode::kTooLarge,
                                       ProblemCode::kUriTooLong,
                                       ProblemCode::kUnsupportedMediaType,
+                                      ProblemCode::kExpectationFailed,
                                       ProblemCode::kHeadersTooLarge,
-                                      ProblemCode::kBusy};
+                                      ProblemCode::kNotImplemented,
+                                      ProblemCode::kBusy,
+                                      ProblemCode::kVersionNotSupported};
     for (const ProblemCode code : kCodes) {
         if (server::status(code) == status) return {code, "", {}, {}};
     }
     return {status >= 500 ? ProblemCode::kInternal : ProblemCode::kBadRequest, "", {}, {}};
 }
 
-/// A computation handed from a connection's thread to a worker. Whoever comes second finds out: a worker that starts
-/// an abandoned ticket does nothing, a connection that gives up on a started one waits until it has stopped.
-class Ticket {
-  public:
-    /// @return  whether the work should still be done
-    bool start() {
-        const std::lock_guard lock(mutex_);
-        if (state_ == State::kAbandoned) return false;
-        state_ = State::kRunning;
-        started_ = std::chrono::steady_clock::now();
-        return true;
-    }
-
-    void finish(Answer answer) {
-        const std::lock_guard lock(mutex_);
-        answer_ = std::move(answer);
-        done_.notify_all();
-    }
-
-    /// Waits for the answer; past the deadline asks the work to stop. Nothing when it never started.
-    std::optional<Answer> wait(std::chrono::duration<double> deadline) {
-        std::unique_lock lock(mutex_);
-        const auto is_done = [&] { return answer_.has_value(); };
-        if (!done_.wait_for(lock, deadline, is_done)) {
-            stop_.request_stop();
-            if (state_ == State::kWaiting) {
-                state_ = State::kAbandoned;
-                return {};
-            }
-            done_.wait(lock, is_done);
-        }
-        return std::move(answer_);
-    }
-
-    std::stop_token stop_token() const { return stop_.get_token(); }
-    std::chrono::steady_clock::time_point started() const { return started_; }
-
-  private:
-    enum class State { kWaiting, kRunning, kAbandoned };
-
-    std::mutex mutex_;
-    std::condition_variable done_;
-    State state_ = State::kWaiting;
-    std::chrono::steady_clock::time_point started_;
-    std::optional<Answer> answer_;
-    std::stop_source stop_;
-};
-
 }  // namespace
 
 Service::Service(const Config& config, Pool& pool, Log& log)
-    : deadline_(config.deadline_seconds),
-      pool_(pool),
+    : pool_(pool),
       log_(log),
+      deadlines_(std::chrono::duration<double>(config.deadline_seconds)),
       next_id_(static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
-Response Service::handle(const Request& request) {
-    const auto begin = Clock::now();
+std::variant<Admission, Response> Service::admit(const Request& head) {
+    const auto refused = [&](Answer answer) { return conclude(head.method, std::move(answer), {}); };
+    if (head.method == "OPTIONS") {
+        if (const std::string allowed = allowed_methods(head.path); !allowed.empty())
+            return refused(Response{204, "", "", {{"Allow", allowed}}});
+    }
+    const auto found = find_route(head.method, head.path);
+    if (const auto* problem = std::get_if<Problem>(&found)) return refused(*problem);
+    const Route& route = *std::get<const Route*>(found);
+    if (route.computes && announces_much(head) && pool_.stats().is_full) return refused(busy());
+    return Admission{body_limit(head.path), [this, &route](Request request, std::stop_source stop, const Reply& reply) {
+                         answer(route, std::move(request), std::move(stop), reply);
+                     }};
+}
+
+void Service::answer(const Route& route, Request request, std::stop_source stop, const Reply& reply) {
+    if (route.computes) return compute(route, std::move(request), std::move(stop), reply);
     const Metrics::InFlight in_flight(metrics_);
-    Record record;
+    Record record{std::string(route.path), request.body.size()};
+    const auto begin = Clock::now();
+    Answer made = run(route, request, {}, InOrder());
+    record.core_seconds = record.total_seconds = seconds_between(begin, Clock::now());
+    reply(conclude(request.method, std::move(made), record));
+}
+
+/// All that a computation needs, from its acceptance to its answer.
+struct Service::Order {
+    Order(Service& service, const Route& its_route, Request&& its_request, std::stop_source&& stop, const Reply& reply)
+        : route(its_route),
+          request(std::move(its_request)),
+          computation(std::move(stop),
+                      [this, &service, reply](Computation::Outcome outcome) {
+                          reply(service.conclude(*this, std::move(outcome)));
+                      }),
+          watch(service.deadlines_, computation),
+          in_flight(service.metrics_) {}
+
+    const Route& route;
+    const Request request;
+    Computation computation;
+    const Deadlines::Watch watch;  // once it has ended, the service may, too
+    const Metrics::InFlight in_flight;
+};
+
+void Service::compute(const Route& route, Request request, std::stop_source stop, const Reply& reply) {
+    const auto order = std::make_shared<Order>(*this, route, std::move(request), std::move(stop), reply);
+    const bool is_accepted = pool_.submit([this, order] {
+        if (!order->computation.start()) return;
+        const std::stop_token token = order->computation.stop_token();
+        order->computation.finish(run(order->route, order->request, token, pool_.for_each()));
+    });
+    if (!is_accepted && order->computation.start()) order->computation.finish(busy());
+}
+
+Response Service::conclude(const Order& order, Computation::Outcome outcome) {
+    Record record{std::string(order.route.path), order.request.body.size()};
+    record.queue_seconds = outcome.queue_seconds;
+    record.core_seconds = outcome.core_seconds;
+    record.total_seconds = outcome.queue_seconds + outcome.core_seconds;
+    metrics_.count_queue_wait(record.queue_seconds);
+    return conclude(order.request.method, outcome.answer ? *std::move(outcome.answer) : Answer(busy()), record);
+}
+
+Response Service::conclude(const std::string& method, Answer made, const Record& record) {
     const std::string id = next_id();
-    Answer made = answer(request, record);
     Response response = std::holds_alternative<Problem>(made) ? to_response(std::get<Problem>(made), id)
                                                               : std::get<Response>(std::move(made));
     response.headers.emplace_back("Request-Id", id);
-    note(request, response, id, record, seconds_between(begin, Clock::now()));
+    metrics_.count_request(record.route, method_label(method), response.status, record.total_seconds,
+                           response.body.size());
+    log_.request({id, method, record.route, response.status, record.queue_seconds * 1e3, record.core_seconds * 1e3,
+                  record.total_seconds * 1e3, record.bytes_in, response.body.size()});
     return response;
-}
-
-Answer Service::answer(const Request& request, Record& record) {
-    if (request.method == "OPTIONS") {
-        if (const std::string allowed = allowed_methods(request.path); !allowed.empty())
-            return Response{204, "", "", {{"Allow", allowed}}};
-    }
-    const auto found = find_route(request.method, request.path);
-    if (const auto* problem = std::get_if<Problem>(&found)) return *problem;
-    const Route& route = *std::get<const Route*>(found);
-    record.route = route.path;
-    if (route.computes) return compute(route, request, record);
-    const auto begin = Clock::now();
-    Answer made = run(route, request, {}, InOrder());
-    record.core_seconds = seconds_between(begin, Clock::now());
-    return made;
-}
-
-Answer Service::compute(const Route& route, const Request& request, Record& record) {
-    const auto ticket = std::make_shared<Ticket>();
-    const auto begin = Clock::now();
-    const bool accepted = pool_.submit([this, ticket, &route, &request] {
-        if (ticket->start()) ticket->finish(run(route, request, ticket->stop_token(), pool_.for_each()));
-    });
-    if (!accepted) return busy();
-    std::optional<Answer> made = ticket->wait(deadline_);
-    if (!made) return busy();  // it never got a worker in time
-    record.queue_seconds = seconds_between(begin, ticket->started());
-    record.core_seconds = seconds_between(ticket->started(), Clock::now());
-    metrics_.count_queue_wait(record.queue_seconds);
-    return *std::move(made);
 }
 
 Answer Service::run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const {
     try {
+        if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
         Answer made = route.run(request, {limits_, for_each, stop});
         if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
         return made;
@@ -165,39 +155,26 @@ std::string Service::next_id() {
     return id;
 }
 
-void Service::note(const Request& request, const Response& response, const std::string& id, const Record& record,
-                   double seconds) {
-    metrics_.count_request(record.route, method_label(request.method), response.status, seconds, response.body.size());
-    log_.request({id, request.method, record.route, response.status, record.queue_seconds * 1e3,
-                  record.core_seconds * 1e3, seconds * 1e3, request.body.size(), response.body.size()});
-}
-
 Response Service::admin_problem(int status) { return to_response(http_problem(status), "none"); }
 
-Response Service::handle_admin(const Request& request) const {
+Response Service::handle_admin(const Request& request, const Traffic& traffic) const {
     if (request.method != "GET" && request.method != "HEAD") return admin_problem(405);
     const Pool::Stats stats = pool_.stats();
     if (request.path == "/livez") return plain(200, "alive\n");
     if (request.path == "/readyz") {
         if (is_draining_) return plain(503, "draining\n");
-        return stats.queued < stats.capacity ? plain(200, "ready\n") : plain(503, "full\n");
+        return stats.is_full ? plain(503, "full\n") : plain(200, "ready\n");
     }
     if (request.path == "/metrics") {
         Response response =
             plain(200, metrics_.text({static_cast<std::uint64_t>(stats.workers), static_cast<std::uint64_t>(stats.busy),
-                                      stats.queued, stats.capacity, log_.dropped()}));
+                                      stats.queued, stats.capacity, stats.saturation, log_.dropped(), traffic}));
         response.content_type = "text/plain; version=0.0.4; charset=utf-8";
         return response;
     }
     return admin_problem(404);
 }
 
-Response Service::refuse(int status) {
-    const std::string id = next_id();
-    Response response = to_response(http_problem(status), id);
-    response.headers.emplace_back("Request-Id", id);
-    note({}, response, id, {}, 0);
-    return response;
-}
+Response Service::refuse(const int status) { return conclude("", http_problem(status), {}); }
 
 }  // namespace tuftwave::server

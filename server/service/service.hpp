@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <string>
+#include <variant>
 
 #include "api/exchange.hpp"
 #include "api/operation.hpp"
@@ -12,6 +14,9 @@
 #include "config/config.hpp"
 #include "exec/pool.hpp"
 #include "log/log.hpp"
+#include "service/admission.hpp"
+#include "service/computation.hpp"
+#include "service/deadlines.hpp"
 #include "service/metrics.hpp"
 
 namespace tuftwave::server {
@@ -21,11 +26,12 @@ class Service {
   public:
     Service(const Config& config, Pool& pool, Log& log);
 
-    /// Answers a public request. Computations wait for a worker at most until the deadline; a full queue is 503.
-    Response handle(const Request& request);
+    /// Looks at the head of a public request. What its body cannot change is answered at once: a wrong path or method,
+    /// OPTIONS, no room for the work.
+    std::variant<Admission, Response> admit(const Request& head);
 
     /// Answers /livez, /readyz and /metrics, at once whatever the load.
-    Response handle_admin(const Request& request) const;
+    Response handle_admin(const Request& request, const Traffic& traffic) const;
 
     /// What /livez and its like answer where they refuse; neither counted nor logged.
     static Response admin_problem(int status);
@@ -41,21 +47,25 @@ class Service {
     /// What the log and the metrics want to know of one request.
     struct Record {
         std::string route = "none";
-        double queue_seconds = 0, core_seconds = 0;
+        std::size_t bytes_in = 0;
+        double queue_seconds = 0, core_seconds = 0, total_seconds = 0;
     };
 
-    Answer answer(const Request& request, Record& record);
-    Answer compute(const Route& route, const Request& request, Record& record);
+    struct Order;
+
+    void answer(const Route& route, Request request, std::stop_source stop, const Reply& reply);
+    void compute(const Route& route, Request request, std::stop_source stop, const Reply& reply);
     Answer run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const;
+    /// Every answer goes through here, on its way out: it gets its number, is counted and logged.
+    Response conclude(const std::string& method, Answer made, const Record& record);
+    Response conclude(const Order& order, Computation::Outcome outcome);
     std::string next_id();
-    void note(const Request& request, const Response& response, const std::string& id, const Record& record,
-              double seconds);
 
     const Limits limits_;
-    const std::chrono::duration<double> deadline_;
     Pool& pool_;
     Log& log_;
     Metrics metrics_;
+    Deadlines deadlines_;
     std::atomic<bool> is_draining_ = false;
     std::atomic<std::uint64_t> next_id_;
 };

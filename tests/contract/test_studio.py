@@ -33,7 +33,7 @@ class Studio(ServiceTest):
                 self.assertEqual(answer.headers.get("x-content-type-options"), "nosniff")
 
     def test_what_is_not_of_it_is_not_there(self) -> None:
-        for name in ("nothing.js", "openapi.yaml", "swagger-ui.css", "INDEX.HTML", "index", "%00", "..", "..%5cindex.html"):
+        for name in ("nothing.js", "openapi.yaml", "swagger-ui.css", "INDEX.HTML", "index", "%01", "..", "..%5cindex.html"):
             with self.subTest(name):
                 self.assert_problem(self.service.get(f"/studio/{name}"), 404, "not_found")
 

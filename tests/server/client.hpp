@@ -33,6 +33,14 @@ class Client {
         EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
 
+    int socket() const { return socket_; }
+
+    /// Whether something has come, or the end.
+    bool has_heard() const {
+        char byte;
+        return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) >= 0;
+    }
+
     /// One answer: its head, and the body that Content-Length announces. @param has_body  false after HEAD
     std::string hear(const bool has_body = true) {
         while (heard_.find("\r\n\r\n") == std::string::npos && more()) {

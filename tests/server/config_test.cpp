@@ -182,22 +182,16 @@ TEST(Config, DefaultsAreAllowedThemselves) {
 }
 
 TEST(Config, PrintedConfigurationCanBeFedBack) {
-    const Words words{"--host=::1",  "--port=1",         "--admin-host=localhost", "--admin-port=2",
-                      "--workers=3", "--queue=4",        "--connections=9",        "--deadline=0.3",
-                      "--drain=1.5", "--log-level=warn", "--log-format=text"};
+    const Words words{"--host=::1",       "--port=1",         "--admin-host=localhost", "--admin-port=2",
+                      "--workers=3",      "--queue=4",        "--connections=9",        "--deadline=0.3",
+                      "--queue-wait=0.2", "--body-memory=5",  "--answer-memory=6",      "--drain=1.5",
+                      "--log-level=warn", "--log-format=text"};
     ASSERT_EQ(words.size(), options().size()) << "an option is missing here";
     const std::string printed = to_json(config(words));
     EXPECT_EQ(to_json(config({"--config=c.json"}, {}, {{"c.json", printed}})), printed);
     EXPECT_NE(printed, to_json(Config{}));
     const nlohmann::json json = nlohmann::json::parse(printed, nullptr, false);
     for (const Option& option : options()) EXPECT_TRUE(json.contains(option.name)) << option.name;
-}
-
-/// Each connection has at most one request: with fewer of them than places to wait, a full queue would never be seen.
-TEST(Config, DefaultsLetAFullQueueRefuse) {
-    const Config config;
-    const int workers_of_a_large_machine = 64;
-    EXPECT_GT(config.connections, config.queue + workers_of_a_large_machine);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(Metrics, HistogramBucketsAreCumulativeAndEndAtTheCount) {
 TEST(Metrics, EverySampleBelongsToADescribedMetric) {
     Metrics metrics;
     metrics.count_request("none", "other", 404, 1, 0);
-    std::istringstream lines(metrics.text({2, 1, 3, 8, 0}));
+    std::istringstream lines(metrics.text({2, 1, 3, 8, 0.5, 0, {}}));
     std::string described;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("# HELP ")) described = line.substr(7, line.find(' ', 7) - 7);
@@ -34,8 +34,13 @@ TEST(Metrics, EverySampleBelongsToADescribedMetric) {
     }
 }
 
-TEST(Metrics, SaturationIsTheShareOfAllPlaces) {
-    EXPECT_NE(Metrics().text({2, 1, 3, 6, 0}).find("tuftwave_pool_saturation 0.5\n"), std::string::npos);
+TEST(Metrics, GaugesAreShownAsTheyAre) {
+    const std::string text = Metrics().text({2, 1, 3, 6, 0.5, 7, {11, 12, 13, 14, 15}});
+    for (const char* line :
+         {"pool_workers 2", "pool_busy 1", "pool_queue_depth 3", "pool_queue_capacity 6", "pool_saturation 0.5",
+          "log_lines_dropped_total 7", "connections 11", "connections_accepted_total 12",
+          "connections_refused_total 13", "request_body_bytes 14", "unsent_answer_bytes 15"})
+        EXPECT_NE(text.find("\ntuftwave_" + std::string(line) + "\n"), std::string::npos) << line;
 }
 
 TEST(Metrics, InFlightGoesUpAndDown) {

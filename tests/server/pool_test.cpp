@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <latch>
 #include <stdexcept>
 #include <string>
@@ -173,6 +174,36 @@ TEST(Pool, StopRunsWhatWasAcceptedAndThenRefuses) {
     EXPECT_FALSE(pool.submit([] {}));
     EXPECT_EQ(visits(pool, 10), std::vector<int>(10, 1)) << "the caller alone";
     pool.stop();
+}
+
+TEST(Pool, QueueIsMeasuredInTime) {
+    using namespace std::chrono_literals;
+    Pool pool(1, 100, 10ms);
+    for (int i = 0; i < 40; ++i) {  // so that it knows how long jobs take
+        std::latch done(1);
+        ASSERT_TRUE(pool.submit([&] {
+            std::this_thread::sleep_for(5ms);
+            done.count_down();
+        }));
+        done.wait();
+    }
+    const Occupied occupied(pool);
+    int accepted = 0;
+    while (pool.submit([] {})) ++accepted;
+    EXPECT_GE(accepted, 1) << "one for each worker, however long it takes";
+    EXPECT_LE(accepted, 4);
+    EXPECT_TRUE(pool.stats().is_full);
+    EXPECT_EQ(pool.stats().saturation, 1);
+}
+
+TEST(Pool, SaturationSaysHowMuchIsLeft) {
+    Pool pool(2, 4);
+    EXPECT_EQ(pool.stats().saturation, 0);
+    const Occupied first(pool), second(pool);
+    EXPECT_EQ(pool.stats().saturation, 0.5);
+    ASSERT_TRUE(pool.submit([] {}));
+    ASSERT_TRUE(pool.submit([] {}));
+    EXPECT_EQ(pool.stats().saturation, 0.75);
 }
 
 }  // namespace

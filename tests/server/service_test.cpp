@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
 #include <latch>
+#include <memory>
 #include <thread>
+#include <utility>
 
 #include "support.hpp"
 
@@ -22,8 +25,21 @@ struct ServiceTest : testing::Test {
     Pool pool{1, 1};
     Service service{config, pool, log};
 
-    std::string admin(const std::string& path) { return service.handle_admin({"GET", path, {}, {}, ""}).body; }
+    Response admin_answer(const std::string& path) { return service.handle_admin({"GET", path, {}, {}, ""}, {}); }
+    std::string admin(const std::string& path) { return admin_answer(path).body; }
 };
+
+/// What a client gets for a request, once it has come.
+Response ask(Service& service, const Request& request, std::stop_source stop = {}) {
+    Request head = request;
+    head.body.clear();
+    auto verdict = service.admit(head);
+    if (auto* early = std::get_if<Response>(&verdict)) return std::move(*early);
+    const auto answered = std::make_shared<std::promise<Response>>();  // shared: it is still used when get() returns
+    std::get<Admission>(verdict).answer(request, std::move(stop),
+                                        [answered](Response response) { answered->set_value(std::move(response)); });
+    return answered->get_future().get();
+}
 
 std::string header_of(const Response& response, const std::string& name) {
     for (const auto& [key, value] : response.headers) {
@@ -53,7 +69,7 @@ class BusyWorker {
 };
 
 TEST_F(ServiceTest, AnswersWithoutASocket) {
-    const Response response = service.handle(json_post("/v1/hairstyles", small_hairstyle().dump()));
+    const Response response = ask(service, json_post("/v1/hairstyles", small_hairstyle().dump()));
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, "model/gltf-binary");
     EXPECT_EQ(header_of(response, "Request-Id").size(), 16U);
@@ -66,28 +82,54 @@ TEST_F(ServiceTest, GivesTheSameBytesOnAnyNumberOfWorkers) {
         body["tufts"].back()["points"][1][0] = 0.001 * i;
     }
     const Request request = json_post("/v1/hairstyles", body.dump());
-    const std::string expected = service.handle(request).body;
+    const std::string expected = ask(service, request).body;
     for (const int workers : {2, 4, 16}) {
         Pool many(workers, 4);
-        EXPECT_EQ(Service(config, many, log).handle(request).body, expected) << workers;
+        Service other(config, many, log);
+        EXPECT_EQ(ask(other, request).body, expected) << workers;
     }
 }
 
 TEST_F(ServiceTest, AFullQueueSaysWhenToComeBack) {
     const BusyWorker busy(pool);
     ASSERT_TRUE(pool.submit([] {}));  // the one place in the queue
-    const Response response = service.handle(json_post("/v1/tufts", "{}"));
+    const Response response = ask(service, json_post("/v1/tufts", "{}"));
     EXPECT_EQ(response.status, 503);
     EXPECT_EQ(header_of(response, "Retry-After"), "1");
-    EXPECT_EQ(service.handle_admin({"GET", "/readyz", {}, {}, ""}).status, 503);
-    EXPECT_EQ(service.handle({"GET", "/v1/version", {}, {}, ""}).status, 200);  // needs no worker
+    EXPECT_EQ(admin_answer("/readyz").status, 503);
+    EXPECT_EQ(ask(service, {"GET", "/v1/version", {}, {}, ""}).status, 200);  // needs no worker
 }
 
 TEST_F(ServiceTest, WhoeverGetsNoWorkerInTimeIsToldToComeBack) {
     config.deadline_seconds = 0.01;
     Service hurried(config, pool, log);
     const BusyWorker busy(pool);
-    EXPECT_EQ(hurried.handle(json_post("/v1/tufts", "{}")).status, 503);
+    EXPECT_EQ(ask(hurried, json_post("/v1/tufts", "{}")).status, 503);
+}
+
+TEST_F(ServiceTest, WorkThatRunsTooLongIsStopped) {
+    config.deadline_seconds = 0.001;
+    Service hurried(config, pool, log);
+    nlohmann::json many = small_hairstyle();
+    for (int i = 0; i < 2'000; ++i) many["tufts"].push_back(many["tufts"][0]);
+    EXPECT_EQ(ask(hurried, json_post("/v1/tufts", many.dump())).status, 504);
+}
+
+TEST_F(ServiceTest, WorkForNobodyIsNotDone) {
+    std::stop_source gone;
+    gone.request_stop();
+    EXPECT_EQ(ask(service, json_post("/v1/hairstyles", small_hairstyle().dump()), gone).status, 504);
+}
+
+TEST_F(ServiceTest, LargeBodyIsNotReadWhileThereIsNoRoom) {
+    const BusyWorker busy(pool);
+    ASSERT_TRUE(pool.submit([] {}));
+    const auto verdict = [&](const std::string& length) {
+        return service.admit({"POST", "/v1/tufts", {}, {{"content-length", length}}, ""});
+    };
+    EXPECT_TRUE(std::holds_alternative<Admission>(verdict("99999")));
+    ASSERT_TRUE(std::holds_alternative<Response>(verdict("1000000")));
+    EXPECT_EQ(std::get<Response>(verdict("1000000")).status, 503);
 }
 
 TEST_F(ServiceTest, IsReadyUntilItDrains) {
@@ -96,28 +138,28 @@ TEST_F(ServiceTest, IsReadyUntilItDrains) {
     service.start_draining();
     EXPECT_EQ(admin("/readyz"), "draining\n");
     EXPECT_EQ(admin("/livez"), "alive\n");
-    EXPECT_EQ(service.handle({"GET", "/v1/version", {}, {}, ""}).status, 200);
+    EXPECT_EQ(ask(service, {"GET", "/v1/version", {}, {}, ""}).status, 200);
 }
 
 TEST_F(ServiceTest, CountsByRouteTemplateAndNeverByWhatAClientSent) {
-    service.handle({"GET", "/v1/version", {}, {}, ""});
-    service.handle({"BREW\n", "/etc/passwd", {}, {}, ""});
+    ask(service, {"GET", "/v1/version", {}, {}, ""});
+    ask(service, {"OPTIONS", "/etc/passwd", {}, {}, ""});
     const std::string metrics = admin("/metrics");
     EXPECT_NE(metrics.find("tuftwave_http_requests_total{route=\"/v1/version\",method=\"GET\",code=\"200\"} 1\n"),
               std::string::npos);
-    EXPECT_NE(metrics.find("tuftwave_http_requests_total{route=\"none\",method=\"other\",code=\"404\"} 1\n"),
+    EXPECT_NE(metrics.find("tuftwave_http_requests_total{route=\"none\",method=\"OPTIONS\",code=\"404\"} 1\n"),
               std::string::npos);
     EXPECT_EQ(metrics.find("passwd"), std::string::npos);
 }
 
 TEST_F(ServiceTest, OptionsNamesTheMethods) {
-    const Response response = service.handle({"OPTIONS", "/v1/schedules", {}, {}, ""});
+    const Response response = ask(service, {"OPTIONS", "/v1/schedules", {}, {}, ""});
     EXPECT_EQ(response.status, 204);
     EXPECT_EQ(header_of(response, "Allow"), "GET, HEAD, POST, OPTIONS");
 }
 
 TEST_F(ServiceTest, WhatIsRefusedBeforeItIsCompleteIsAProblemToo) {
-    for (const int status : {400, 404, 405, 408, 411, 413, 414, 415, 431, 500, 503}) {
+    for (const int status : {400, 404, 405, 408, 411, 413, 414, 415, 417, 431, 500, 501, 503, 505}) {
         const Response response = service.refuse(status);
         EXPECT_EQ(response.status, status);
         EXPECT_EQ(response.content_type, "application/problem+json");

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "api/exchange.hpp"
+
+namespace tuftwave::server {
+
+/// An answer as it goes over the wire. The body is apart, so that a large one is never copied.
+struct Message {
+    std::string head, body;
+
+    std::size_t size() const { return head.size() + body.size(); }
+};
+
+/// The HTTP library. It is shown one complete request over a stream in memory, and words the answer. Nothing that a
+/// client sent reaches it but the method, so its parsers have nothing to trip over, and its limits, routes, ranges,
+/// codings and multipart forms never come into play.
+class Library {
+  public:
+    Library();
+    ~Library();
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+    /// @param method  GET, HEAD, POST or OPTIONS
+    /// @param closes  whether the connection is closed behind this answer
+    /// @return  status line, headers, and the body unless it was HEAD. Called by several threads at once.
+    Message message(const std::string& method, Response answer, bool closes) const;
+
+  private:
+    class Server;
+    std::unique_ptr<Server> server_;
+};
+
+}  // namespace tuftwave::server

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <utility>
+
+#include "http/library.hpp"
+#include "http/poller.hpp"
+
+namespace tuftwave::server {
+
+/// An answer on its way to the listener's thread. Without a head there is none, and the connection can only be closed.
+struct Letter {
+    std::uint64_t connection = 0;
+    Message message;
+    bool closes = true;
+};
+
+/// Where any thread posts answers, and one thread collects them. Posting allocates nothing, so no answer is lost for
+/// want of memory.
+class Mailbox {
+  public:
+    explicit Mailbox(Poller& poller) : poller_(&poller) {}
+
+    /// @param letter  one; left empty
+    void post(std::list<Letter>& letter) {
+        const std::lock_guard lock(mutex_);
+        const bool was_empty = letters_.empty();
+        letters_.splice(letters_.end(), letter);
+        if (was_empty && poller_) poller_->wake();
+    }
+
+    std::list<Letter> collect() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(letters_, {});
+    }
+
+    /// Nobody will collect any more.
+    void close() {
+        const std::lock_guard lock(mutex_);
+        poller_ = nullptr;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::list<Letter> letters_;
+    Poller* poller_;
+};
+
+}  // namespace tuftwave::server
