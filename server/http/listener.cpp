@@ -268,7 +268,8 @@ class Listener::Loop {
 
     /// @return  false if the connection is closed
     bool refuse(Connection& connection, const int status) {
-        return answer(connection, "GET", answerer_.refuse(status), true);
+        const bool is_head = connection.phase() == Phase::kReading && connection.reader.head().request.method == "HEAD";
+        return answer(connection, is_head ? "HEAD" : "GET", answerer_.refuse(status), true);
     }
 
     bool answer(Connection& connection, const std::string& method, Response answer, const bool closes) {

@@ -32,6 +32,7 @@ bool announces_much(const Request& head) { return head.header("content-length").
 
 /// The problem behind a bare HTTP status.
 Problem http_problem(int status) {
+    if (status == server::status(ProblemCode::kBusy)) return busy();
     constexpr ProblemCode kCodes[] = {ProblemCode::kNotFound,
                                       ProblemCode::kMethodNotAllowed,
                                       ProblemCode::kTooSlow,
@@ -42,7 +43,6 @@ Problem http_problem(int status) {
                                       ProblemCode::kExpectationFailed,
                                       ProblemCode::kHeadersTooLarge,
                                       ProblemCode::kNotImplemented,
-                                      ProblemCode::kBusy,
                                       ProblemCode::kVersionNotSupported};
     for (const ProblemCode code : kCodes) {
         if (server::status(code) == status) return {code, "", {}, {}};
@@ -163,7 +163,7 @@ Response Service::handle_admin(const Request& request, const Traffic& traffic) c
     if (request.path == "/livez") return plain(200, "alive\n");
     if (request.path == "/readyz") {
         if (is_draining_) return plain(503, "draining\n");
-        return stats.is_full ? plain(503, "full\n") : plain(200, "ready\n");
+        return plain(200, stats.is_full ? "full\n" : "ready\n");
     }
     if (request.path == "/metrics") {
         Response response =

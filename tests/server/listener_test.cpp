@@ -136,6 +136,20 @@ TEST(Listener, HeadHasTheHeadersOfGetAndNoBody) {
     EXPECT_TRUE(client.hear().starts_with("HTTP/1.1 200 ")) << "the next answer follows at once";
 }
 
+TEST(Listener, RefusedHeadHasNoBodyEither) {
+    const Served served;
+    Client client(served.port());
+    client.say(head("HEAD /x", "Content-Length: 1\r\n") + "x");
+    const std::string text = client.hear_all();
+    EXPECT_TRUE(text.starts_with("HTTP/1.1 400 ")) << text;
+    EXPECT_TRUE(text.ends_with("\r\n\r\n")) << text;
+}
+
+TEST(Listener, NoContentHasNoLength) {
+    const Served served;
+    EXPECT_FALSE(has(answer(served, head("GET /nothing")), "Content-Length"));
+}
+
 TEST(Listener, TwoRequestsInOneConnectionAreBothAnswered) {
     const Served served;
     Client client(served.port());
