@@ -53,7 +53,8 @@ def hiding(hidden: bytes) -> Iterator[tuple[str, bytes]]:
         yield f"chunk size {given!r}", head(post, JSON, chunked) + chunk(hidden, given.format(len(hidden))) + end
     for extension in (";a=b", ";\n", ";a=\"\r\n", ";" + "a" * 4000, ";\x00", ";\r", "\n;"):
         yield f"chunk extension {extension[:8]!r}", head(post, JSON, chunked) + chunk(hidden, extension=extension) + end
-        yield f"last chunk's {extension[:8]!r}", head(post, JSON, chunked) + chunk(HIDDEN_BODY) + b"0" + extension.encode("latin-1") + b"\r\n\r\n" + hidden
+        last = b"0" + extension.encode("latin-1") + b"\r\n\r\n"
+        yield f"last chunk's {extension[:8]!r}", head(post, JSON, chunked) + chunk(HIDDEN_BODY) + last + hidden
     yield "trailers", head(post, JSON, chunked, "Trailer: Content-Length") + chunk(HIDDEN_BODY) + b"0\r\nContent-Length: 9\r\n\r\n" + hidden
     yield "trailer with a bare LF", head(post, JSON, chunked) + chunk(HIDDEN_BODY) + b"0\r\nX: y\n\r\n" + hidden
     # A length that is taken away on the way.
@@ -67,7 +68,8 @@ def hiding(hidden: bytes) -> Iterator[tuple[str, bytes]]:
     yield "underscore", head(post, JSON, f"Content_Length: {len(hidden)}", "Content-Length: 0") + hidden
     yield "two Hosts", head(post, JSON, "Host: other.test", size) + hidden
     yield "absolute target", head("POST http://other.test/v1/schedules HTTP/1.1", JSON, size) + hidden
-    yield "in the target", head("GET /%20HTTP/1.1%0d%0aHost:%20a%0d%0a%0d%0a" + hidden.decode().replace("\r\n", "%0d%0a").replace(" ", "%20") + " HTTP/1.1")
+    escaped = hidden.decode().replace("\r\n", "%0d%0a").replace(" ", "%20")
+    yield "in the target", head(f"GET /%20HTTP/1.1%0d%0aHost:%20a%0d%0a%0d%0a{escaped} HTTP/1.1")
     yield "pipelined", request("GET", "/v1/version") + hidden
 
 

@@ -7,7 +7,7 @@ import time
 from edge import Edge, Replica, wait_until
 from load import Load, with_tufts
 
-THREADS, PER_SECOND = 6, 150
+THREADS, PER_SECOND = 6, 200
 
 
 def check_rolling_restart(edge: Edge, is_full: bool) -> tuple[bool, str]:
@@ -34,7 +34,8 @@ def check_kill(edge: Edge, is_full: bool) -> tuple[bool, str]:
             wait_until(lambda: number not in edge.proxy.up(), "the proxy had noticed a killed replica")
             come_back(edge, number, replica)
         repeated = edge.proxy.repeated() - before
-    return not load.failures, f"{kills} kill -9 of one of three: {load.figures()}, {repeated:.0f} repeated elsewhere, each came back and was used"
+    return not load.failures and repeated > 0, (f"{kills} kill -9 of one of three: {load.figures()}, {repeated:.0f} repeated elsewhere, "
+                                                "each came back and was used")
 
 
 def come_back(edge: Edge, number: int, replica: Replica) -> None:

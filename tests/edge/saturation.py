@@ -51,4 +51,5 @@ def check_saturation(program: str, _: bool) -> tuple[bool, str]:
             load.wait()
         repeated = edge.proxy.repeated() - before
     is_good = not load.failures and repeated > 0 and crowd.refused > 0
-    return is_good, f"one of three full: {load.figures()}, {repeated:.0f} of its 503 repeated elsewhere, {crowd.refused} refusals to its own crowd"
+    return is_good, (f"one of three full: {load.figures()}, {repeated:.0f} of its 503 repeated elsewhere, "
+                     f"{crowd.refused} refusals to its own crowd")
