@@ -135,6 +135,14 @@ def faults_of_flags(program: str) -> Iterator[str]:
         yield f"README.md: the server has no flag {flag}"
 
 
+def faults_of_problems(_: str) -> Iterator[str]:
+    """HAProxy's own errors are kinds of problems that the contract knows."""
+    contract = yaml.safe_load(text_of(os.path.join(ROOT, "api", "openapi.yaml")))
+    slugs = set(re.findall(r"urn:tuftwave:problem:(\w+)", text_of(CONFIGURATION)))
+    for slug in sorted(slugs - set(contract["components"]["schemas"]["Slug"]["enum"])):
+        yield f"haproxy.cfg: the contract has no problem {slug}"
+
+
 def faults_of_ports(program: str) -> Iterator[str]:
     container = pod()["containers"][0]
     if {port["name"]: port["containerPort"] for port in container["ports"]} != PORTS:
@@ -223,8 +231,8 @@ def main(arguments: Optional[list[str]] = None) -> int:
     if not options.server or not os.access(options.server, os.X_OK):
         print(f"check_deploy: {options.server!r} is no program; build the server and name it with --server", file=sys.stderr)
         return 1
-    checks = [faults_of_yaml, faults_of_tools, faults_of_flags, faults_of_ports, faults_of_probes, faults_of_privileges,
-              faults_of_kustomization, faults_of_metrics, faults_of_cache]
+    checks = [faults_of_yaml, faults_of_tools, faults_of_flags, faults_of_problems, faults_of_ports, faults_of_probes,
+              faults_of_privileges, faults_of_kustomization, faults_of_metrics, faults_of_cache]
     faults = [fault for check in checks for fault in check(os.path.abspath(options.server))]
     for fault in faults:
         print("FAIL " + fault)

@@ -63,7 +63,7 @@ def too_many_requests(proxy: Proxy, faults: list[str]) -> None:
     if not LIMIT // 2 <= len(refused) < len(answers):
         faults.append(f"{len(refused)} of {len(answers)} requests refused")
     for answer in refused[:1]:
-        expect_problem(answer, 429, "rate_limited", faults)
+        expect_problem(answer, 429, "over_share", faults)
         if not answer.headers.get("retry-after", "").isdigit():
             faults.append("429 without Retry-After")
 
