@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "access/keys.hpp"
+#include "access/new_key.hpp"
 #include "config/config.hpp"
 #include "http/healthcheck.hpp"
 #include "http/run.hpp"
@@ -25,6 +27,19 @@ int healthcheck(const Config& config) {
     return kFailed;
 }
 
+/// The line first: a key that its file has not got would only be trouble.
+int print_new_key(const std::string& name) {
+    if (!is_key_name(name)) {
+        std::fprintf(stderr, "tuftwave-server: the name of a key has 1 to 64 of A-Z a-z 0-9 . _ -\n");
+        return kWrongUsage;
+    }
+    const NewKey made = new_key(name);
+    if (print(made.line + "\n") != 0 || std::fflush(stdout) != 0) return kFailed;
+    std::fprintf(stderr, "The key of %s, shown only now, to be sent as Authorization: Bearer KEY, is\n%s\n",
+                 name.c_str(), made.key.c_str());
+    return 0;
+}
+
 int obey(const CommandLine& line) {
     switch (line.command) {
         case CommandLine::Command::kServe:
@@ -37,6 +52,8 @@ int obey(const CommandLine& line) {
             return print(to_json(line.config));
         case CommandLine::Command::kHealthcheck:
             return healthcheck(line.config);
+        case CommandLine::Command::kNewKey:
+            return print_new_key(line.key_name);
     }
     return kFailed;
 }

@@ -16,7 +16,7 @@ struct Row {
 };
 
 /// The one table of errors; openapi.yaml lists the same slugs.
-constexpr std::array<Row, 32> kTable{{
+constexpr std::array<Row, 34> kTable{{
     {ProblemCode::kMalformed, "malformed", 400, "The body is not well-formed."},
     {ProblemCode::kDuplicateKey, "duplicate_key", 400, "A key occurs twice in one object."},
     {ProblemCode::kTooDeep, "too_deep", 400, "The body is nested too deeply."},
@@ -34,6 +34,7 @@ constexpr std::array<Row, 32> kTable{{
     {ProblemCode::kUndefinedAsPrinted, "undefined_as_printed", 422,
      "The formula as printed in the paper has no result here."},
     {ProblemCode::kUnsupported, "unsupported", 422, "The file needs something that is not supported."},
+    {ProblemCode::kUnauthorized, "unauthorized", 401, "This needs a valid key, sent as Authorization: Bearer."},
     {ProblemCode::kNotFound, "not_found", 404, "There is nothing here."},
     {ProblemCode::kMethodNotAllowed, "method_not_allowed", 405, "This method is not allowed here."},
     {ProblemCode::kNotAcceptable, "not_acceptable", 406, "None of the accepted formats is available."},
@@ -43,12 +44,12 @@ constexpr std::array<Row, 32> kTable{{
     {ProblemCode::kUriTooLong, "uri_too_long", 414, "The request target is too long."},
     {ProblemCode::kUnsupportedMediaType, "unsupported_media_type", 415,
      "The body is of a type that is not understood."},
+    {ProblemCode::kExpectationFailed, "expectation_failed", 417, "Only 100-continue can be expected here."},
+    {ProblemCode::kOverShare, "over_share", 429, "This key has used up its share; try again later."},
     {ProblemCode::kHeadersTooLarge, "headers_too_large", 431, "The request's headers are too large."},
-    {ProblemCode::kExpectationFailed, "expectation_failed", 417, "The request expects what is not offered."},
-    {ProblemCode::kNotImplemented, "not_implemented", 501,
-     "This method is not known; GET, HEAD, POST and OPTIONS are."},
-    {ProblemCode::kVersionNotSupported, "version_not_supported", 505, "Only HTTP/1.1 and HTTP/1.0 are spoken here."},
     {ProblemCode::kBadRequest, "bad_request", 400, "The request is not valid HTTP."},
+    {ProblemCode::kNotImplemented, "not_implemented", 501, "This method is not known; GET, HEAD, POST and OPTIONS are."},
+    {ProblemCode::kVersionNotSupported, "version_not_supported", 505, "Only HTTP/1.1 and HTTP/1.0 are spoken here."},
     {ProblemCode::kBusy, "busy", 503, "The server is full; try again shortly."},
     {ProblemCode::kDeadline, "deadline", 504, "The computation took longer than allowed."},
     {ProblemCode::kInternal, "internal", 500, "Something went wrong on our side."},

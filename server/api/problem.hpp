@@ -30,6 +30,7 @@ enum class ProblemCode {
     kConflict,
     kUndefinedAsPrinted,
     kUnsupported,
+    kUnauthorized,
     kNotFound,
     kMethodNotAllowed,
     kNotAcceptable,
@@ -38,11 +39,12 @@ enum class ProblemCode {
     kTooLarge,
     kUriTooLong,
     kUnsupportedMediaType,
-    kHeadersTooLarge,
     kExpectationFailed,
+    kOverShare,
+    kHeadersTooLarge,
+    kBadRequest,
     kNotImplemented,
     kVersionNotSupported,
-    kBadRequest,
     kBusy,
     kDeadline,
     kInternal,
@@ -62,7 +64,7 @@ struct Problem {
     ProblemCode code = ProblemCode::kInternal;
     std::string detail;  ///< for this occurrence; the table's sentence when empty
     std::vector<FieldProblem> fields;
-    NameValues headers;  ///< Allow, Retry-After
+    NameValues headers;  ///< Allow, Retry-After, WWW-Authenticate
 };
 
 /// A problem made of what is wrong with fields. @param fields  at least one

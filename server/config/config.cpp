@@ -1,5 +1,7 @@
 #include "config/config.hpp"
 
+#include <arpa/inet.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -28,6 +30,7 @@ struct Arguments {
     Command command = Command::kServe;
     std::vector<Flag> flags;
     std::optional<std::string> config_path;
+    std::string key_name;
 };
 
 std::string quoted(const std::string& text) {
@@ -66,7 +69,15 @@ std::optional<Command> command_of(const std::string& word) {
 /// Help and version win over everything else, so that they can be asked for whatever stands beside them.
 bool is_final(const Command command) { return command == Command::kHelp || command == Command::kVersion; }
 
+Trouble read_new_key(const std::vector<std::string>& words, Arguments& to) {
+    if (words.size() != 2) return UsageError{"new-key needs one name, and nothing else"};
+    to.command = Command::kNewKey;
+    to.key_name = words[1];
+    return {};
+}
+
 Trouble read_arguments(const std::vector<std::string>& words, Arguments& to) {
+    if (!words.empty() && words.front() == "new-key") return read_new_key(words, to);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         if (const std::optional<Command> command = command_of(word)) {
@@ -147,6 +158,14 @@ Trouble apply_all(const Arguments& arguments, const Surroundings& surroundings, 
     return apply_flags(arguments.flags, config);
 }
 
+/// A server that strangers reach is never open by oversight.
+Trouble check_who_may(const Config& config) {
+    if (is_loopback(config.host) || !config.key_file.empty() || config.insecure == "yes") return {};
+    return UsageError{"the host " + quoted(config.host) +
+                      " can be reached from elsewhere: give the keys that may call with --key-file PATH, or serve "
+                      "everybody with --insecure yes"};
+}
+
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
@@ -159,10 +178,19 @@ std::variant<CommandLine, UsageError> parse(const std::vector<std::string>& argu
                                             const Surroundings& surroundings) {
     Arguments read;
     if (Trouble trouble = read_arguments(arguments, read)) return *std::move(trouble);
-    CommandLine line{read.command, {}};
-    if (is_final(read.command)) return line;
+    CommandLine line{read.command, {}, read.key_name};
+    if (is_final(read.command) || read.command == Command::kNewKey) return line;
     if (Trouble trouble = apply_all(read, surroundings, line.config)) return *std::move(trouble);
+    if (read.command == Command::kServe) {
+        if (Trouble trouble = check_who_may(line.config)) return *std::move(trouble);
+    }
     return line;
+}
+
+bool is_loopback(const std::string& host) {
+    in_addr v4{};
+    if (::inet_pton(AF_INET, host.c_str(), &v4) == 1) return ntohl(v4.s_addr) >> 24 == 127;
+    return host == "localhost" || host == "::1";
 }
 
 Surroundings process_surroundings() {
@@ -183,13 +211,17 @@ std::string help() {
         "Turns strokes into anime hair, over HTTP.\n\n"
         "Usage: tuftwave-server [OPTIONS]              serve until SIGTERM\n"
         "       tuftwave-server healthcheck [OPTIONS]  ask a running server whether it lives: exit code 0 or 1\n"
+        "       tuftwave-server new-key NAME           make a key: the line for --key-file on standard output, the key "
+        "itself\n"
+        "                                              on standard error\n"
         "       tuftwave-server --print-config [OPTIONS]\n"
         "       tuftwave-server --help | --version\n\n"
         "A flag goes before the environment, that before the file, that before the default.\n\nOptions:\n";
     for (const Option& option : options()) {
         const std::string unit = option.unit.empty() ? "" : ", in " + std::string(option.unit);
+        const std::string standard = value_text(option, Config{});
         text += "  --" + std::string(option.name) + " VALUE\n      " + std::string(option.help) + ".\n      Default " +
-                value_text(option, Config{}) + "; " + allowed(option) + unit + "; environment " +
+                (standard.empty() ? "none" : standard) + "; " + allowed(option) + unit + "; environment " +
                 joined(environment_names(option), ", then ") + ".\n";
     }
     return text + "  " + kConfigFlag +

@@ -11,13 +11,17 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kLongestText = 255;  // a host name has at most 253 characters
+constexpr double kLongestHost = 255;  // a host name has at most 253 characters
+constexpr double kLongestPath = 4'095;
+constexpr double kLongestList = 8'000;
 constexpr std::size_t kTypingErrors = 2;
 
 constexpr std::array kOptions{
-    Option{"host", "", &Config::host, 0, 0, "", "", "Address to serve on; 0.0.0.0 or :: for all"},
+    Option{"host", "", &Config::host, 1, kLongestHost, "", "", "Address to serve on; 0.0.0.0 or :: for all"},
     Option{"port", "PORT", &Config::port, 0, 65'535, "", "", "Port to serve on; 0 picks a free one"},
-    Option{"admin-host", "", &Config::admin_host, 0, 0, "", "", "Address of /livez, /readyz and /metrics"},
+    Option{
+        "admin-host", "", &Config::admin_host, 1, kLongestHost, "", "",
+        "Address of /livez, /readyz and /metrics; never asks for keys, so keep it where only probes and scrapers come"},
     Option{"admin-port", "", &Config::admin_port, 0, 65'535, "", "",
            "Port of /livez, /readyz and /metrics; 0 picks a free one"},
     Option{"workers", "", &Config::workers, 0, 256, "", "threads", "Threads that compute; 0 means as many as cores"},
@@ -35,6 +39,17 @@ constexpr std::array kOptions{
            "How long a request may wait and compute"},
     Option{"drain", "", &Config::drain_seconds, 0, 60, "", "seconds",
            "How long to go on serving, while not ready, after SIGTERM"},
+    Option{"key-file", "", &Config::key_file, 0, kLongestPath, "", "",
+           "File of the keys that may call, a line NAME SHA256 [RATE] each; new-key makes one"},
+    Option{"insecure", "", &Config::insecure, 0, 0, "yes|no", "",
+           "yes: serve to others than this machine without asking for keys"},
+    Option{"origins", "", &Config::origins, 0, kLongestList, "", "",
+           "Pages elsewhere that may call from a browser, as in https://studio.example, with commas between"},
+    Option{
+        "rate", "", &Config::rate, 0, 1e6, "", "units a second",
+        "Share of each key without a rate of its own, or of all together without keys; 0 for any; a unit is 1 ms of a "
+        "worker's time"},
+    Option{"burst", "", &Config::burst, 1, 1e9, "", "units", "What a key may save up of its rate"},
     Option{"log-level", "", &Config::log_level, 0, 0, "debug|info|warn|error|off", "", "The least that is logged"},
     Option{"log-format", "", &Config::log_format, 0, 0, "auto|json|text", "",
            "auto: text on a terminal, else one JSON object per line"},
@@ -66,8 +81,7 @@ std::optional<Number> number_within(const std::string_view text, const Option& o
 }
 
 bool is_allowed_text(const std::string_view text, const Option& option) {
-    if (text.empty() || text.size() > kLongestText) return false;
-    if (option.choices.empty()) return true;
+    if (option.choices.empty()) return is_within(static_cast<double>(text.size()), {option.minimum, option.maximum});
     const auto choices = split(option.choices, '|');
     return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
@@ -112,7 +126,8 @@ std::string allowed(const Option& option) {
                                  [&](double Config::*) { return "a number" + range; },
                                  [&](std::string Config::*) -> std::string {
                                      if (option.choices.empty())
-                                         return "a text of 1 to " + std::to_string(kLongestText) + " characters";
+                                         return "a text of " + to_text(option.minimum) + " to " +
+                                                to_text(option.maximum) + " characters";
                                      return "one of " + std::string(option.choices);
                                  }},
                       option.field);

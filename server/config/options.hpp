@@ -16,8 +16,8 @@ struct Option {
     std::string_view name;      ///< of the flag, and the key in a file
     std::string_view also_env;  ///< a second environment variable, behind TUFTWAVE_NAME; "" if none
     std::variant<int Config::*, double Config::*, std::string Config::*> field;
-    double minimum, maximum;   ///< of a number
-    std::string_view choices;  ///< of a text: "a|b|c"; "" if any text of 1 to 255 characters
+    double minimum, maximum;   ///< of a number, or of a text's length
+    std::string_view choices;  ///< of a text: "a|b|c"; "" if any text of that length
     std::string_view unit;
     std::string_view help;
 };

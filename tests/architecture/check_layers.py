@@ -20,7 +20,7 @@ from typing import Optional
 sys.dont_write_bytecode = True
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
-# main -> http -> service -> api -> (gltf, poses, sheets) -> core, with config, exec and log beside service.
+# main -> http -> service -> access -> api -> (gltf, poses, sheets) -> core, with config, exec and log beside service.
 # For each layer those it may include, by whatever way.
 MAY_INCLUDE = {
     "core": set(),
@@ -34,12 +34,15 @@ MAY_INCLUDE = {
     "gltf": {"core", "version"},
     "character": {"core", "gltf"},
     "api": {"core", "gltf", "poses", "sheets", "character", "assets", "version"},
-    "service": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log"},
-    "http": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service"},
-    "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "service", "http"},
+    "access": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config"},
+    "service": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access"},
+    "http": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access", "service"},
+    "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access", "service", "http"},
 }
 # Libraries by a pattern of their headers, and the layer whose one .cpp may include them.
 ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "tinygltf": (r"/tiny_gltf\.h$", "gltf"), "spdlog": (r"/spdlog/", "log")}
+# The same by our own include lines, where other libraries' headers bring it along: httplib's includes OpenSSL.
+ONE_ASKER = {"OpenSSL": (r"^\s*#\s*include\s*<openssl/", "access")}
 # What the standard library of g++ or clang is made of, libc included.
 STANDARD = re.compile(
     r"^(/usr/include/c\+\+/|/usr/lib/gcc/|/usr/lib/llvm-\d+/(lib/clang|include/c\+\+)/|/usr/lib/clang/"
@@ -129,6 +132,16 @@ def check_one_user(units: Units) -> list[str]:
     return wrong
 
 
+def check_one_asker(texts: dict[str, str]) -> list[str]:
+    """Libraries that come along elsewhere are asked for by one .cpp."""
+    wrong = []
+    for library, (pattern, layer) in ONE_ASKER.items():
+        askers = [path for path, text in texts.items() if re.search(pattern, text, re.MULTILINE)]
+        if len(askers) != 1 or layer_of(askers[0]) != layer or not askers[0].endswith(".cpp"):
+            wrong.append(f"{library} must be asked for by exactly one .cpp, in {layer}; it is by {', '.join(map(short, askers)) or 'none'}")
+    return wrong
+
+
 def check_complete(units: Units, sources: list[str]) -> list[str]:
     """The build knows every source file, or the other checks have looked past some."""
     return [f"{short(source)}: the build directory knows nothing of it; build everything first" for source in sources if source not in units]
@@ -163,6 +176,7 @@ def check(build: str) -> int:
         ("core is alone", check_core(units)),
         ("core has no I/O", check_core_words({path: text_of(path) for path in core_files})),
         ("one user per library", check_one_user(units)),
+        ("one asker per library", check_one_asker({path: text_of(path) for path in files})),
         ("lengths", check_lengths({path: text_of(path).count("\n") for path in files})),
         *self_tests(),
     ])
@@ -180,6 +194,8 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ours("server/poses/vmd.cpp"): [ours("server/assets/assets.hpp"), ours("core/include/tuftwave/motion.hpp")],
         ours("server/http/listener.cpp"): [ours("server/service/service.hpp"), "/usr/include/httplib.h"],
         ours("server/log/log.cpp"): ["/usr/include/spdlog/async.h"],
+        ours("server/access/access.cpp"): [ours("server/api/routes.hpp"), ours("server/config/config.hpp")],
+        ours("server/service/service.cpp"): [ours("server/access/access.hpp")],
         ours("tests/core/wave_test.cpp"): ["/usr/include/gtest/gtest.h", ours("server/http/listener.hpp")],
     }
     bad = [
@@ -192,6 +208,8 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ("api includes service", check_direction, "server/api/hair.cpp", ours("server/service/service.hpp")),
         ("api includes exec", check_direction, "server/api/hair.cpp", ours("server/exec/pool.hpp")),
         ("log includes http", check_direction, "server/log/log.cpp", ours("server/http/listener.hpp")),
+        ("access includes service", check_direction, "server/access/access.cpp", ours("server/service/service.hpp")),
+        ("api includes access", check_direction, "server/api/hair.cpp", ours("server/access/keys.hpp")),
         ("a layer nobody knows", check_direction, "server/studio/studio.cpp", "/usr/include/c++/12/string"),
         ("httplib twice", check_one_user, "server/api/hair.cpp", "/usr/include/httplib.h"),
         ("tinygltf in the wrong layer", check_one_user, "server/api/hair.cpp", "/usr/include/tiny_gltf.h"),
@@ -205,6 +223,8 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ("a source that is not built", check_complete(good, [ours("core/src/new.cpp")])),
         ("core asks for a clock", check_core_words({ours("core/src/wave.cpp"): "#include <chrono>\n"})),
         ("core asks for a file", check_core_words({ours("core/src/wave.cpp"): "  # include <fstream>\n"})),
+        ("OpenSSL twice", check_one_asker({ours("server/access/digest.cpp"): "#include <openssl/evp.h>\n", ours("server/api/hair.cpp"): "#include <openssl/evp.h>\n"})),
+        ("OpenSSL in a header", check_one_asker({ours("server/access/digest.hpp"): "#include <openssl/evp.h>\n"})),
         ("a long source", check_lengths({ours("core/src/wave.cpp"): 401})),
         ("a long header", check_lengths({ours("core/include/tuftwave/wave.hpp"): 151})),
     ]
