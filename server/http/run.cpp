@@ -9,11 +9,12 @@
 #include <csignal>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <variant>
 
-#include "api/routes.hpp"
+#include "access/access.hpp"
 #include "exec/pool.hpp"
 #include "http/listener.hpp"
 #include "log/log.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 constexpr std::size_t kAdminConnections = 64;  // probes and scrapers
 constexpr std::size_t kMiB = 1024 * 1024;
+constexpr int kWrongUsage = 2;
 constexpr rlim_t kOtherDescriptors = 64;  // than connections
 
 int worker_count(const Config& config) {
@@ -125,13 +127,19 @@ bool allow_descriptors(const rlim_t count) {
 
 int run(const Config& config) {
     const EndSignals signals;
+    const auto opened = Access::open(config);
+    if (const auto* error = std::get_if<UsageError>(&opened)) {
+        std::fprintf(stderr, "tuftwave-server: %s\n", error->message.c_str());
+        return kWrongUsage;
+    }
+    Access& access = *std::get<std::unique_ptr<Access>>(opened);
     LogOptions log_options;
     log_options.level = config.log_level;
     log_options.format = config.log_format;
     Log log(log_options);
     Pool pool(worker_count(config), static_cast<std::size_t>(config.queue),
               std::chrono::duration<double>(config.queue_seconds));
-    Service service(config, pool, log);
+    Service service(config, access, pool, log);
     Door front(public_options(config), {[&](const Request& head) { return service.admit(head); },
                                         [&](const int status) { return service.refuse(status); }});
     const Admission ask_admin =
@@ -147,6 +155,7 @@ int run(const Config& config) {
     log.event(Log::Level::kInfo, "ready",
               {{"version", kVersion}, {"address", front.address()}, {"admin", admin.address()}});
 
+    if (!access.warning().empty()) log.event(Log::Level::kWarn, access.warning());
     if (!allow_descriptors(static_cast<rlim_t>(config.connections) + kOtherDescriptors))
         log.event(Log::Level::kWarn, "fewer files may be open than connections: some will wait to be accepted");
 

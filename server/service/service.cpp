@@ -1,13 +1,15 @@
 #include "service/service.hpp"
 
+#include <charconv>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kFewDigits = 5;  // under 100,000 bytes
+constexpr std::uint64_t kSmallBodyBytes = 64 * 1024;  // worth reading even when there is no room for the work
 
 double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -27,8 +29,13 @@ Response plain(int status, std::string text) {
     return {status, "text/plain; charset=utf-8", std::move(text), {{"Cache-Control", "no-store"}}};
 }
 
-/// Whether a body is so long that it is not worth reading when there is no room for the work.
-bool announces_much(const Request& head) { return head.header("content-length").size() > kFewDigits; }
+/// What Content-Length says, which the framing has looked at; 0 for a chunked body.
+std::uint64_t announced_bytes(const Request& head) {
+    const std::string& digits = head.header("content-length");
+    std::uint64_t bytes = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), bytes);
+    return bytes;
+}
 
 /// The problem behind a bare HTTP status.
 Problem http_problem(int status) {
@@ -52,14 +59,16 @@ Problem http_problem(int status) {
 
 }  // namespace
 
-Service::Service(const Config& config, Pool& pool, Log& log)
-    : pool_(pool),
+Service::Service(const Config& config, Access& access, Pool& pool, Log& log)
+    : access_(access),
+      pool_(pool),
       log_(log),
       deadlines_(std::chrono::duration<double>(config.deadline_seconds)),
       next_id_(static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
 std::variant<Admission, Response> Service::admit(const Request& head) {
-    const auto refused = [&](Answer answer) { return conclude(head.method, std::move(answer), {}); };
+    const auto refused = [&](Answer answer) { return conclude(head, std::move(answer), {}); };
+    if (std::optional<Response> preflight = access_.preflight(head)) return refused(*std::move(preflight));
     if (head.method == "OPTIONS") {
         if (const std::string allowed = allowed_methods(head.path); !allowed.empty())
             return refused(Response{204, "", "", {{"Allow", allowed}}});
@@ -67,26 +76,36 @@ std::variant<Admission, Response> Service::admit(const Request& head) {
     const auto found = find_route(head.method, head.path);
     if (const auto* problem = std::get_if<Problem>(&found)) return refused(*problem);
     const Route& route = *std::get<const Route*>(found);
-    if (route.computes && announces_much(head) && pool_.stats().is_full) return refused(busy());
-    return Admission{body_limit(head.path), [this, &route](Request request, std::stop_source stop, const Reply& reply) {
-                         answer(route, std::move(request), std::move(stop), reply);
+    auto admitted = access_.admit(head);
+    if (auto* problem = std::get_if<Problem>(&admitted)) return refused(*std::move(problem));
+    const std::uint64_t bytes = announced_bytes(head);
+    if (bytes > body_limit(head.path)) return refused(Problem{ProblemCode::kTooLarge, "", {}, {}});
+    if (route.computes && bytes > kSmallBodyBytes && pool_.stats().is_full) return refused(busy());
+    const Visitor visitor = std::get<Visitor>(admitted);
+    return Admission{body_limit(head.path),
+                     [this, &route, visitor](Request request, std::stop_source stop, const Reply& reply) {
+                         answer(route, visitor, std::move(request), std::move(stop), reply);
                      }};
 }
 
-void Service::answer(const Route& route, Request request, std::stop_source stop, const Reply& reply) {
-    if (route.computes) return compute(route, std::move(request), std::move(stop), reply);
+void Service::answer(const Route& route, const Visitor& visitor, Request request, std::stop_source stop,
+                     const Reply& reply) {
+    if (route.computes) return compute(route, visitor, std::move(request), std::move(stop), reply);
     const Metrics::InFlight in_flight(metrics_);
     Record record{std::string(route.path), request.body.size()};
     const auto begin = Clock::now();
     Answer made = run(route, request, {}, InOrder());
     record.core_seconds = record.total_seconds = seconds_between(begin, Clock::now());
-    reply(conclude(request.method, std::move(made), record));
+    access_.charge(visitor, record.core_seconds, record.bytes_in);
+    reply(conclude(request, std::move(made), record));
 }
 
 /// All that a computation needs, from its acceptance to its answer.
 struct Service::Order {
-    Order(Service& service, const Route& its_route, Request&& its_request, std::stop_source&& stop, const Reply& reply)
+    Order(Service& service, const Route& its_route, const Visitor& its_visitor, Request&& its_request,
+          std::stop_source&& stop, const Reply& reply)
         : route(its_route),
+          visitor(its_visitor),
           request(std::move(its_request)),
           computation(std::move(stop),
                       [this, &service, reply](Computation::Outcome outcome) {
@@ -96,14 +115,16 @@ struct Service::Order {
           in_flight(service.metrics_) {}
 
     const Route& route;
+    const Visitor visitor;
     const Request request;
     Computation computation;
     const Deadlines::Watch watch;  // once it has ended, the service may, too
     const Metrics::InFlight in_flight;
 };
 
-void Service::compute(const Route& route, Request request, std::stop_source stop, const Reply& reply) {
-    const auto order = std::make_shared<Order>(*this, route, std::move(request), std::move(stop), reply);
+void Service::compute(const Route& route, const Visitor& visitor, Request request, std::stop_source stop,
+                      const Reply& reply) {
+    const auto order = std::make_shared<Order>(*this, route, visitor, std::move(request), std::move(stop), reply);
     const bool is_accepted = pool_.submit([this, order] {
         if (!order->computation.start()) return;
         const std::stop_token token = order->computation.stop_token();
@@ -118,18 +139,20 @@ Response Service::conclude(const Order& order, Computation::Outcome outcome) {
     record.core_seconds = outcome.core_seconds;
     record.total_seconds = outcome.queue_seconds + outcome.core_seconds;
     metrics_.count_queue_wait(record.queue_seconds);
-    return conclude(order.request.method, outcome.answer ? *std::move(outcome.answer) : Answer(busy()), record);
+    access_.charge(order.visitor, record.core_seconds, record.bytes_in);
+    return conclude(order.request, outcome.answer ? *std::move(outcome.answer) : Answer(busy()), record);
 }
 
-Response Service::conclude(const std::string& method, Answer made, const Record& record) {
+Response Service::conclude(const Request& request, Answer made, const Record& record) {
     const std::string id = next_id();
     Response response = std::holds_alternative<Problem>(made) ? to_response(std::get<Problem>(made), id)
                                                               : std::get<Response>(std::move(made));
     response.headers.emplace_back("Request-Id", id);
-    metrics_.count_request(record.route, method_label(method), response.status, record.total_seconds,
+    access_.add_headers(request, response);
+    metrics_.count_request(record.route, method_label(request.method), response.status, record.total_seconds,
                            response.body.size());
-    log_.request({id, method, record.route, response.status, record.queue_seconds * 1e3, record.core_seconds * 1e3,
-                  record.total_seconds * 1e3, record.bytes_in, response.body.size()});
+    log_.request({id, request.method, record.route, response.status, record.queue_seconds * 1e3,
+                  record.core_seconds * 1e3, record.total_seconds * 1e3, record.bytes_in, response.body.size()});
     return response;
 }
 
@@ -175,6 +198,6 @@ Response Service::handle_admin(const Request& request, const Traffic& traffic) c
     return admin_problem(404);
 }
 
-Response Service::refuse(const int status) { return conclude("", http_problem(status), {}); }
+Response Service::refuse(const int status) { return conclude({}, http_problem(status), {}); }
 
 }  // namespace tuftwave::server

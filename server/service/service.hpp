@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "access/access.hpp"
 #include "api/exchange.hpp"
 #include "api/operation.hpp"
 #include "api/routes.hpp"
@@ -24,10 +25,10 @@ namespace tuftwave::server {
 /// The whole service without a socket: every request that comes in has an answer that goes out. Thread-safe.
 class Service {
   public:
-    Service(const Config& config, Pool& pool, Log& log);
+    Service(const Config& config, Access& access, Pool& pool, Log& log);
 
     /// Looks at the head of a public request. What its body cannot change is answered at once: a wrong path or method,
-    /// OPTIONS, no room for the work.
+    /// no key, a body over the limit, OPTIONS, no room for the work.
     std::variant<Admission, Response> admit(const Request& head);
 
     /// Answers /livez, /readyz and /metrics, at once whatever the load.
@@ -53,15 +54,17 @@ class Service {
 
     struct Order;
 
-    void answer(const Route& route, Request request, std::stop_source stop, const Reply& reply);
-    void compute(const Route& route, Request request, std::stop_source stop, const Reply& reply);
+    void answer(const Route& route, const Visitor& visitor, Request request, std::stop_source stop, const Reply& reply);
+    void compute(const Route& route, const Visitor& visitor, Request request, std::stop_source stop,
+                 const Reply& reply);
     Answer run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const;
     /// Every answer goes through here, on its way out: it gets its number, is counted and logged.
-    Response conclude(const std::string& method, Answer made, const Record& record);
+    Response conclude(const Request& request, Answer made, const Record& record);
     Response conclude(const Order& order, Computation::Outcome outcome);
     std::string next_id();
 
     const Limits limits_;
+    Access& access_;
     Pool& pool_;
     Log& log_;
     Metrics metrics_;

@@ -71,8 +71,8 @@ TEST(Config, EmptyVariableCountsAsNone) {
 }
 
 TEST(Config, FlagTakesItsValueAfterAnEqualsSignOrASpace) {
-    EXPECT_EQ(config({"--port=1", "--host", "::"}).port, 1);
-    EXPECT_EQ(config({"--port=1", "--host", "::"}).host, "::");
+    EXPECT_EQ(config({"--port=1", "--host", "::1"}).port, 1);
+    EXPECT_EQ(config({"--port=1", "--host", "::1"}).host, "::1");
     EXPECT_EQ(config({"--port=1", "--port", "2"}).port, 2) << "the later one";
 }
 
@@ -165,7 +165,8 @@ TEST(Config, HelpListsEveryOptionWithItsDefaultRangeAndVariables) {
         const std::size_t flag = text.find("--" + std::string(option.name) + " VALUE\n");
         ASSERT_NE(flag, std::string::npos) << option.name;
         const std::string entry = text.substr(flag, text.find("  --", flag + 1) - flag);
-        EXPECT_NE(entry.find("Default " + value_text(option, Config{}) + ";"), std::string::npos) << entry;
+        const std::string standard = value_text(option, Config{});
+        EXPECT_NE(entry.find("Default " + (standard.empty() ? "none" : standard) + ";"), std::string::npos) << entry;
         EXPECT_NE(entry.find(allowed(option)), std::string::npos) << entry;
         for (const std::string& name : environment_names(option))
             EXPECT_NE(entry.find(name), std::string::npos) << entry;
@@ -182,16 +183,64 @@ TEST(Config, DefaultsAreAllowedThemselves) {
 }
 
 TEST(Config, PrintedConfigurationCanBeFedBack) {
-    const Words words{"--host=::1",       "--port=1",         "--admin-host=localhost", "--admin-port=2",
-                      "--workers=3",      "--queue=4",        "--connections=9",        "--deadline=0.3",
-                      "--queue-wait=0.2", "--body-memory=5",  "--answer-memory=6",      "--drain=1.5",
-                      "--log-level=warn", "--log-format=text"};
+    const Words words{"--host=::1",
+                      "--port=1",
+                      "--admin-host=localhost",
+                      "--admin-port=2",
+                      "--workers=3",
+                      "--queue=4",
+                      "--connections=9",
+                      "--deadline=0.3",
+                      "--queue-wait=0.2",
+                      "--body-memory=5",
+                      "--answer-memory=6",
+                      "--drain=1.5",
+                      "--log-level=warn",
+                      "--log-format=text",
+                      "--key-file=k",
+                      "--insecure=yes",
+                      "--origins=https://a.example",
+                      "--rate=5.5",
+                      "--burst=6.5"};
     ASSERT_EQ(words.size(), options().size()) << "an option is missing here";
     const std::string printed = to_json(config(words));
     EXPECT_EQ(to_json(config({"--config=c.json"}, {}, {{"c.json", printed}})), printed);
     EXPECT_NE(printed, to_json(Config{}));
     const nlohmann::json json = nlohmann::json::parse(printed, nullptr, false);
     for (const Option& option : options()) EXPECT_TRUE(json.contains(option.name)) << option.name;
+}
+
+TEST(Config, OnlyTheMachineItselfIsLoopback) {
+    for (const char* host : {"127.0.0.1", "127.255.0.9", "::1", "localhost"}) EXPECT_TRUE(is_loopback(host)) << host;
+    for (const char* host : {"0.0.0.0", "::", "128.0.0.1", "126.255.255.255", "10.0.0.1", "127.example",
+                             "127.0.0.1.example", "localhost.example", "127.1", "::ffff:10.0.0.1", "", " 127.0.0.1"})
+        EXPECT_FALSE(is_loopback(host)) << host;
+}
+
+TEST(Config, AnAddressForStrangersNeedsKeysOrAnExplicitWord) {
+    const std::string refusal =
+        "the host \"0.0.0.0\" can be reached from elsewhere: give the keys that may call with --key-file PATH, or "
+        "serve "
+        "everybody with --insecure yes";
+    EXPECT_EQ(message({"--host=0.0.0.0"}), refusal);
+    EXPECT_EQ(message({}, {{"TUFTWAVE_HOST", "0.0.0.0"}}), refusal);
+    EXPECT_EQ(message({"--host=0.0.0.0", "--insecure=no"}), refusal);
+    EXPECT_EQ(message({"--host=0.0.0.0"}, {{"TUFTWAVE_KEY_FILE", ""}}), refusal);
+    EXPECT_EQ(message({"--host=0.0.0.0", "--insecure=yes"}), "accepted");
+    EXPECT_EQ(message({"--host=0.0.0.0"}, {{"TUFTWAVE_INSECURE", "yes"}}), "accepted");
+    EXPECT_EQ(message({"--host=0.0.0.0", "--key-file=keys"}), "accepted");
+    EXPECT_EQ(message({"--admin-host=0.0.0.0"}), "accepted");
+    EXPECT_EQ(message({"healthcheck", "--host=0.0.0.0"}), "accepted") << "it only looks at what runs";
+    EXPECT_EQ(message({"--print-config", "--host=0.0.0.0"}), "accepted");
+}
+
+TEST(Config, NewKeyTakesOneName) {
+    const auto result = parsed({"new-key", "alice"}, {{"PORT", "not a port"}});
+    ASSERT_TRUE(std::holds_alternative<CommandLine>(result));
+    EXPECT_EQ(std::get<CommandLine>(result).command, Command::kNewKey);
+    EXPECT_EQ(std::get<CommandLine>(result).key_name, "alice");
+    EXPECT_EQ(message({"new-key"}), "new-key needs one name, and nothing else");
+    EXPECT_EQ(message({"new-key", "alice", "bob"}), "new-key needs one name, and nothing else");
 }
 
 }  // namespace

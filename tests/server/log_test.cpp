@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace tuftwave::server {
@@ -164,12 +166,38 @@ TEST(Log, StalledReaderCostsRecordsNotTime) {
     }  // gives up after a second, although the pipe is still full
 }
 
-TEST(Log, ReaderThatHasGoneIsNoError) {
-    std::signal(SIGPIPE, SIG_IGN);
+/// Writes more records than wait, where none can be written, and sees each of them counted.
+void expect_all_dropped(const int descriptor) {
+    LogOptions made;
+    made.format = "json";
+    made.descriptor = descriptor;
+    made.queue_records = 256;
+    Log log(made);
+    const std::size_t records = 5'000;
+    for (std::size_t i = 0; i < records; ++i) log.request(kRecord);  // would hang here, or end the process
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (log.dropped() < records && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+    EXPECT_EQ(log.dropped(), records);
+}
+
+TEST(Log, ReaderThatHasGoneCostsRecordsOnly) {
+    std::signal(SIGPIPE, SIG_IGN);  // as the server does
     Pipe pipe;
     pipe.close_reader();
-    Log log(options(pipe, "info", "json"));
-    log.request(kRecord);
+    expect_all_dropped(pipe.writer());
+}
+
+TEST(Log, FullDiskCostsRecordsOnly) {
+    const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+    ASSERT_GE(full, 0);
+    expect_all_dropped(full);
+    ::close(full);
+}
+
+TEST(Log, ADescriptorThatIsClosedCostsRecordsOnly) {
+    const int closed = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ASSERT_EQ(::close(closed), 0);
+    expect_all_dropped(closed);
 }
 
 }  // namespace

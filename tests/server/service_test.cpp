@@ -23,7 +23,8 @@ struct ServiceTest : testing::Test {
     Config config;
     Log log{silent()};
     Pool pool{1, 1};
-    Service service{config, pool, log};
+    Access access{config, {}, {}};
+    Service service{config, access, pool, log};
 
     Response admin_answer(const std::string& path) { return service.handle_admin({"GET", path, {}, {}, ""}, {}); }
     std::string admin(const std::string& path) { return admin_answer(path).body; }
@@ -85,7 +86,7 @@ TEST_F(ServiceTest, GivesTheSameBytesOnAnyNumberOfWorkers) {
     const std::string expected = ask(service, request).body;
     for (const int workers : {2, 4, 16}) {
         Pool many(workers, 4);
-        Service other(config, many, log);
+        Service other(config, access, many, log);
         EXPECT_EQ(ask(other, request).body, expected) << workers;
     }
 }
@@ -103,14 +104,14 @@ TEST_F(ServiceTest, AFullQueueSaysWhenToComeBack) {
 
 TEST_F(ServiceTest, WhoeverGetsNoWorkerInTimeIsToldToComeBack) {
     config.deadline_seconds = 0.01;
-    Service hurried(config, pool, log);
+    Service hurried(config, access, pool, log);
     const BusyWorker busy(pool);
     EXPECT_EQ(ask(hurried, json_post("/v1/tufts", "{}")).status, 503);
 }
 
 TEST_F(ServiceTest, WorkThatRunsTooLongIsStopped) {
     config.deadline_seconds = 0.02;
-    Service hurried(config, pool, log);
+    Service hurried(config, access, pool, log);
     nlohmann::json many = small_hairstyle();
     many["mesh"] = {{"sides", 64}, {"rings", 20}};
     for (int i = 0; i < 1'400; ++i) many["tufts"].push_back(many["tufts"][0]);
@@ -132,7 +133,7 @@ TEST_F(ServiceTest, LargeBodyIsNotReadWhileThereIsNoRoom) {
     const auto verdict = [&](const std::string& length) {
         return service.admit({"POST", "/v1/tufts", {}, {{"content-length", length}}, ""});
     };
-    EXPECT_TRUE(std::holds_alternative<Admission>(verdict("99999")));
+    EXPECT_TRUE(std::holds_alternative<Admission>(verdict("65536")));
     ASSERT_TRUE(std::holds_alternative<Response>(verdict("1000000")));
     EXPECT_EQ(std::get<Response>(verdict("1000000")).status, 503);
 }
