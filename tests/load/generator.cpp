@@ -54,6 +54,7 @@ struct Connection {
     int status = 0;           ///< 0 while the head is not whole
     std::size_t missing = 0;  ///< bytes of the answer's body
     bool closes = false;
+    bool is_used = false;  ///< it has brought an answer before, so that the server may close it at any time
 };
 
 /// Times of the answers of one status.
@@ -96,9 +97,11 @@ class Generator {
         const double seconds = Seconds(std::min(Clock::now(), end_) - start_).count();
         const auto due = options_.rate > 0 ? static_cast<std::uint64_t>(options_.rate * options_.seconds) : asked_;
         std::printf(
-            "{\"seconds\": %.3f, \"due\": %llu, \"asked\": %llu, \"lost\": %llu, \"reconnected\": %llu, \"answers\": {",
+            "{\"seconds\": %.3f, \"due\": %llu, \"asked\": %llu, \"lost\": %llu, \"asked_again\": %llu, "
+            "\"reconnected\": %llu, \"answers\": {",
             seconds, static_cast<unsigned long long>(due), static_cast<unsigned long long>(asked_),
-            static_cast<unsigned long long>(lost_), static_cast<unsigned long long>(reconnected_));
+            static_cast<unsigned long long>(lost_), static_cast<unsigned long long>(asked_again_),
+            static_cast<unsigned long long>(reconnected_));
         const char* comma = "";
         for (auto& [status, answers] : answers_) {
             std::vector<double>& times = answers.milliseconds;
@@ -232,20 +235,27 @@ class Generator {
         answers_[connection.status].milliseconds.push_back(took.count());
         --busy_;
         connection.state = State::kFree;
+        connection.is_used = true;
         if (connection.closes) close(connection);
     }
 
+    /// A server may close an idle connection just when a request is on its way: that is asked again (RFC 9112 9.3.1).
     void lose(Connection& connection) {
-        if (connection.state != State::kFree) {
+        const bool is_asked_again = connection.state == State::kBusy && connection.is_used && connection.head.empty();
+        if (connection.state != State::kFree && !is_asked_again) {
             ++lost_;
             --busy_;
         }
         close(connection);
+        if (!is_asked_again) return;
+        ++asked_again_;
+        ask(connection);
     }
 
     void close(Connection& connection) {
         ::close(connection.descriptor);
         connection.state = State::kClosed;
+        connection.is_used = false;
     }
 
     const Options& options_;
@@ -254,7 +264,7 @@ class Generator {
     int epoll_ = -1;
     Clock::time_point start_, end_;
     std::size_t busy_ = 0;
-    std::uint64_t asked_ = 0, lost_ = 0, reconnected_ = 0;
+    std::uint64_t asked_ = 0, lost_ = 0, asked_again_ = 0, reconnected_ = 0;
     std::map<int, Answers> answers_;
 };
 
