@@ -26,6 +26,10 @@ RUN apt-get update \
  && rm -rf /var/lib/apt/lists/* /tmp/runtime-packages
 COPY --from=build /build/server/tuftwave-server /usr/local/bin/tuftwave-server
 USER 10001:10001
+# A container that publishes a port has to listen to others than itself. It does not start by that alone: whoever runs it
+# says who may, with -e TUFTWAVE_KEY_FILE=/run/secrets/keys (mounted, readable by user 10001), or with
+# -e TUFTWAVE_INSECURE=yes where something in front of it decides, or the port is published to 127.0.0.1 only.
+# The admin port asks nobody for keys: make it 0.0.0.0 only on a network that has probes and scrapers alone.
 ENV TUFTWAVE_HOST=0.0.0.0 TUFTWAVE_ADMIN_HOST=127.0.0.1
 EXPOSE 8080
 STOPSIGNAL SIGTERM

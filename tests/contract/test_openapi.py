@@ -35,7 +35,11 @@ class OpenApi(unittest.TestCase):
 
     def test_named_parts_are_used(self) -> None:
         used = {node["$ref"] for _, node in contract.walk(contract.DOCUMENT) if isinstance(node, dict) and "$ref" in node}
+        schemes = {name for way in contract.DOCUMENT["security"] for name in way}  # by their bare name
         for kind, parts in contract.DOCUMENT["components"].items():
+            if kind == "securitySchemes":
+                self.assertEqual(schemes, set(parts))
+                continue
             for name in parts:
                 with self.subTest(f"{kind}/{name}"):
                     self.assertIn(f"#/components/{kind}/{name}", used)
@@ -89,6 +93,13 @@ class OpenApi(unittest.TestCase):
             with self.subTest(op.what["operationId"]):
                 self.assertTrue(op.what.get("summary") and op.what.get("tags"))
                 self.assertIn("default", op.what["responses"])
+
+    def test_every_key_is_optional_and_pages_need_none(self) -> None:
+        """One contract with keys and without: `{}` is the way of a server that has none."""
+        self.assertEqual(contract.DOCUMENT["security"], [{}, {"key": []}])
+        for op in contract.operations():
+            with self.subTest(op.what["operationId"]):
+                self.assertEqual(op.what.get("security", "a key"), "a key" if op.path.startswith("/v1/") else [])
 
     def test_every_operation_with_a_body_has_an_example(self) -> None:
         for op in contract.posts():
