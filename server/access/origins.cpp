@@ -94,7 +94,7 @@ Response Origins::preflight(const Request& request, const std::string& allow) co
 }
 
 void Origins::add_headers(const Request& request, Response& response) const {
-    if (!is_on()) return;
+    if (!is_on() || is_preflight(request)) return;  // a browser refuses an answer that names its origin twice
     vary_by_origin(response.headers);
     const std::string origin = listed_origin(request);
     if (origin.empty()) return;

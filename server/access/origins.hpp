@@ -27,7 +27,8 @@ class Origins {
     /// @param allow  the path's methods, "GET, HEAD, OPTIONS"
     Response preflight(const Request& request, const std::string& allow) const;
 
-    /// Adds what an ordinary answer needs, errors included, so that a listed page may read it.
+    /// Adds what an ordinary answer needs, errors included, so that a listed page may read it. That to a preflight
+    /// has everything already.
     void add_headers(const Request& request, Response& response) const;
 
   private:

@@ -128,6 +128,9 @@ TEST(Origins, PreflightIsAnsweredByWhatIsAllowed) {
     EXPECT_EQ(all(response, "Access-Control-Max-Age"), "7200\n");
     EXPECT_EQ(all(response, "Vary"), "Origin\n");
     EXPECT_EQ(all(response, "Allow"), "POST, OPTIONS\n");
+    Response again = response;
+    on.add_headers(asked, again);
+    EXPECT_EQ(again.headers, response.headers);
 
     const Request stranger =
         request("OPTIONS", {{"origin", "https://evil.example"}, {"access-control-request-method", "POST"}});
