@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <latch>
 #include <thread>
 #include <vector>
 
@@ -88,17 +89,29 @@ TEST(TokenBucket, AClockThatGoesBackGivesNothing) {
     EXPECT_EQ(bucket.admit(1), 1.0) << "the same time was paid twice";
 }
 
-TEST(TokenBucket, ManyThreadsGetNoMoreThanThereIs) {
-    Clock clock;
-    TokenBucket bucket(1, 1'000, clock.now());
+/// The clock is read where the balance is changed: whoever comes in meanwhile would be seen here.
+TEST(TokenBucket, OneThreadAtATimeChangesTheBalance) {
+    std::atomic<int> inside = 0, most = 0;
+    const auto now = [&] {
+        const int here = ++inside;
+        if (here > most) most = here;
+        for (int i = 0; i < 10; ++i) std::this_thread::yield();
+        --inside;
+        return std::chrono::steady_clock::time_point{};
+    };
+    TokenBucket bucket(1, 1'000, now);
+    std::latch start(4);
     std::atomic<int> admitted = 0;
     std::vector<std::thread> threads;
     for (int i = 0; i < 4; ++i)
         threads.emplace_back([&] {
-            for (int k = 0; k < 1'000; ++k) admitted += bucket.admit(1) ? 0 : 1;
+            start.arrive_and_wait();
+            for (int k = 0; k < 500; ++k) admitted += bucket.admit(1) ? 0 : 1;
+            for (int k = 0; k < 100; ++k) bucket.charge(0);
         });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(admitted, 1'000);
+    EXPECT_EQ(most, 1);
 }
 
 }  // namespace
