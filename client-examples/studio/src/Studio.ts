@@ -3,6 +3,9 @@ import { Service } from "./api/Service";
 import type { ServiceProblem } from "./api/ServiceProblem";
 import { Signal } from "./base/Signal";
 import { HairLoader } from "./hair/HairLoader";
+import { askForKey } from "./key/askForKey";
+import { Doorkeeper } from "./key/Doorkeeper";
+import { KeyStore } from "./key/KeyStore";
 import { History } from "./model/History";
 import { newDocument } from "./model/newDocument";
 import type { StudioDocument, StudioTuft } from "./model/StudioDocument";
@@ -29,7 +32,7 @@ const kNewShape = { diameter: 60, widest_at: 45, taper: "sine", section: "ellips
 
 /** All that the page knows: the document with its history, what is selected, and what is shown how. */
 export class Studio {
-  readonly service = new Service();
+  readonly service = new Service("", new Doorkeeper(new KeyStore(), askForKey));
   readonly history = new History<StudioDocument>(newDocument());
   readonly loader = new HairLoader(this.service);
   readonly mode = new Signal<Mode>("draw");

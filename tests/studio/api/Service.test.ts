@@ -1,5 +1,6 @@
 import { Service } from "../../../client-examples/studio/src/api/Service";
 import { ServiceAway } from "../../../client-examples/studio/src/api/ServiceAway";
+import { Doorkeeper } from "../../../client-examples/studio/src/key/Doorkeeper";
 import { ServiceProblem } from "../../../client-examples/studio/src/api/ServiceProblem";
 
 const problem = { type: "urn:tuftwave:problem:out_of_range", title: "t", status: 422, detail: "d", request_id: "1", errors: [{ code: "out_of_range", pointer: "/tufts/0/diameter", detail: "too large" }] };
@@ -56,6 +57,34 @@ describe("Service", () => {
     answers(new DOMException("", "AbortError"));
     const service = new Service();
     await expect(service.json("/v1/tufts", { body: {}, signal: controller.signal })).rejects.toThrow(DOMException);
+    expect(service.isHere.value).toBe(true);
+  });
+
+  const refusal = () => new Response(JSON.stringify({ ...problem, type: "urn:tuftwave:problem:unauthorized", status: 401, errors: undefined }), { status: 401, headers: { "Content-Type": "application/problem+json" } });
+  const keysOf = (fetched: ReturnType<typeof answers>) => fetched.mock.calls.map(([, init]) => (init!.headers as Record<string, string>).Authorization);
+
+  it("asks for a key when it needs one, again when that is refused, and sends it from then on", async () => {
+    const fetched = answers(refusal(), refusal(), Response.json({ ok: 1 }), Response.json({ ok: 2 }));
+    const ask = vi.fn().mockResolvedValueOnce("wrong").mockResolvedValueOnce("right");
+    const service = new Service("", new Doorkeeper({ value: null }, ask));
+    expect(await service.json("/v1/tufts", { body: {} })).toEqual({ ok: 1 });
+    expect(await service.json("/v1/tufts", { body: {} })).toEqual({ ok: 2 });
+    expect(ask.mock.calls).toEqual([[false], [true]]);
+    expect(keysOf(fetched)).toEqual([undefined, "Bearer wrong", "Bearer right", "Bearer right"]);
+  });
+
+  it("throws the problem when nobody gives a key, and is still here", async () => {
+    answers(refusal());
+    const service = new Service("", new Doorkeeper({ value: null }, async () => null));
+    await expect(service.json("/v1/tufts", { body: {} })).rejects.toBeInstanceOf(ServiceProblem);
+    expect(service.isHere.value).toBe(true);
+  });
+
+  it("is back when it asks for a key", async () => {
+    answers(new TypeError("away"), refusal());
+    const service = new Service();
+    await expect(service.json("/v1/tufts", { body: {} })).rejects.toBeInstanceOf(ServiceAway);
+    await vi.advanceTimersByTimeAsync(1500);
     expect(service.isHere.value).toBe(true);
   });
 });

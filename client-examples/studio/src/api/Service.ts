@@ -1,4 +1,5 @@
 import { Signal } from "../base/Signal";
+import type { Doorkeeper } from "../key/Doorkeeper";
 import type { ProblemDocument } from "./contract";
 import { ServiceAway } from "./ServiceAway";
 import { ServiceProblem } from "./ServiceProblem";
@@ -17,8 +18,11 @@ export class Service {
   readonly isHere = new Signal(true);
   private waiting: ReturnType<typeof setTimeout> | null = null;
 
-  /** @param origin  where it listens; "" is where this page came from */
-  constructor(private readonly origin = "") {}
+  /**
+   * @param origin      where it listens; "" is where this page came from
+   * @param doorkeeper  has a key where the service wants one; without it a refusal is a problem like others
+   */
+  constructor(private readonly origin = "", private readonly doorkeeper: Doorkeeper | null = null) {}
 
   async json<T>(path: string, question: Question): Promise<T> {
     return (await this.post(path, question, "application/json")).json() as Promise<T>;
@@ -33,13 +37,24 @@ export class Service {
   }
 
   /** @throws ServiceProblem, ServiceAway, and DOMException AbortError if `signal` says so */
-  private async post(path: string, { body, query, signal }: Question, accept: string): Promise<Response> {
+  private async post(path: string, question: Question, accept: string): Promise<Response> {
+    for (;;) {
+      const key = this.doorkeeper?.key ?? null;
+      const answer = await this.send(path, question, accept, key);
+      if (answer.ok) return answer;
+      if (answer.status === 401 && (await this.doorkeeper?.refused(key))) continue;
+      throw new ServiceProblem((await answer.json()) as ProblemDocument);
+    }
+  }
+
+  /** @return  what the service said, be it a problem */
+  private async send(path: string, { body, query, signal }: Question, accept: string, key: string | null): Promise<Response> {
     const isFile = body instanceof Blob || body instanceof ArrayBuffer;
     let answer: Response;
     try {
       answer = await fetch(`${this.origin}${path}${query ? `?${new URLSearchParams(query)}` : ""}`, {
         method: "POST",
-        headers: { Accept: accept, "Content-Type": isFile ? "application/octet-stream" : "application/json" },
+        headers: { Accept: accept, "Content-Type": isFile ? "application/octet-stream" : "application/json", ...(key === null ? {} : { Authorization: `Bearer ${key}` }) },
         body: isFile ? body : JSON.stringify(body),
         signal: signal ?? null,
       });
@@ -54,7 +69,7 @@ export class Service {
       this.leave(); // a proxy in between speaks for it
       throw new ServiceAway();
     }
-    throw new ServiceProblem((await answer.json()) as ProblemDocument);
+    return answer;
   }
 
   private leave(): void {
@@ -62,7 +77,7 @@ export class Service {
     if (this.waiting !== null) return;
     this.waiting = setTimeout(async () => {
       this.waiting = null;
-      const isBack = await fetch(`${this.origin}/v1/version`).then(({ ok }) => ok, () => false);
+      const isBack = await fetch(`${this.origin}/v1/version`).then(({ ok, status }) => ok || status === 401, () => false); // bare: that it wants a key says enough
       if (isBack) this.isHere.value = true;
       else this.leave();
     }, kAskAgain_ms);
