@@ -1,4 +1,5 @@
 import { answersAtOnce } from "./checks/answersAtOnce.mjs";
+import { asksForKey } from "./checks/asksForKey.mjs";
 import { capturesCycle } from "./checks/capturesCycle.mjs";
 import { drawsFreehand } from "./checks/drawsFreehand.mjs";
 import { drawsPointByPoint } from "./checks/drawsPointByPoint.mjs";
@@ -20,5 +21,5 @@ import { worksByKeys } from "./checks/worksByKeys.mjs";
 /** All checks, in the order in which they run. */
 export const checks = [
   drawsFreehand, drawsPointByPoint, shapesPoints, managesTufts, undoesEverything, fillsGap, capturesCycle, plays, keepsItself, takesAway, opensFiles,
-  opensGallery, showsProblem, goesOnAlone, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
+  opensGallery, showsProblem, goesOnAlone, asksForKey, worksByKeys, isAccessible, fitsAndSpeaks, answersAtOnce,
 ];

@@ -42,8 +42,8 @@ export class Service {
       const key = this.doorkeeper?.key ?? null;
       const answer = await this.send(path, question, accept, key);
       if (answer.ok) return answer;
-      if (answer.status === 401 && (await this.doorkeeper?.refused(key))) continue;
-      throw new ServiceProblem((await answer.json()) as ProblemDocument);
+      const problem = (await answer.json()) as ProblemDocument; // read in any case, or its connection stays taken
+      if (answer.status !== 401 || !(await this.doorkeeper?.refused(key))) throw new ServiceProblem(problem);
     }
   }
 
