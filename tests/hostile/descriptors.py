@@ -20,7 +20,7 @@ def run(report: Report, program: str, full: bool) -> None:
     with Program(program, prefix=["prlimit", f"--nofile={MOST}:{MOST}"]) as server:
         before = server.descriptors()
         report.check("well with few descriptors", server.is_well())
-        for round_number in range(5 if full else 1):
+        for _ in range(5 if full else 1):
             exhaust(report, server)
         report.check("every descriptor comes back", eventually(lambda: server.descriptors() <= before, RETURN_S), f"{server.descriptors()}, {before} before")
         report.equal("examples afterwards", server.answers_examples(), [])
@@ -31,6 +31,7 @@ def exhaust(report: Report, server: Program) -> None:
     for client in clients:
         send(client, INNOCENT[:-2])
     time.sleep(0.3)
+    report.check("none is left", server.descriptors() >= MOST - 2, server.descriptors())
     begin = server.processor_seconds()
     time.sleep(LOOK_S)
     used = server.processor_seconds() - begin
