@@ -22,7 +22,7 @@ from loading import MIB, QUIET, Goals, Program, arguments, contract
 SLOPE = 1.0  # MiB per hour
 WARM_UP_S = 600.0
 ROUND_S, QUIET_S, SAMPLE_S = 28.0, 2.0, 2.0
-PAUSE_S = 0.02  # of each client between requests: the machine has other things to do
+PAUSE_S = 0.05  # of each client between requests: the machine has other things to do
 CLIENTS = 3
 
 
