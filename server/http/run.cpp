@@ -152,8 +152,7 @@ int run(const Config& config) {
     std::printf("tuftwave-server %s listening on %s, admin on %s\n", kVersion, front.address().c_str(),
                 admin.address().c_str());
     std::fflush(stdout);
-    log.event(Log::Level::kInfo, "ready",
-              {{"version", kVersion}, {"address", front.address()}, {"admin", admin.address()}});
+    log.event(Log::Level::kInfo, "ready", {{"address", front.address()}, {"admin", admin.address()}});
 
     if (!access.warning().empty()) log.event(Log::Level::kWarn, access.warning());
     if (!allow_descriptors(static_cast<rlim_t>(config.connections) + kOtherDescriptors))

@@ -42,6 +42,7 @@ class DescriptorSink final : public spdlog::sinks::base_sink<spdlog::details::nu
   private:
     void sink_it_(const spdlog::details::log_msg& message) override {
         spdlog::memory_buf_t line;
+        if (is_torn_) line.push_back('\n');  // what could be written of the line before stands alone
         formatter_->format(message, line);
         const char* next = line.data();
         const char* const end = next + line.size();
@@ -51,11 +52,13 @@ class DescriptorSink final : public spdlog::sinks::base_sink<spdlog::details::nu
             const ssize_t written = wait_until_writable() ? ::write(descriptor_, next, part) : -1;
             if (written < 0 && (errno == EINTR || errno == EAGAIN) && !has_given_up()) continue;
             if (written <= 0) {
+                is_torn_ = is_torn_ || next != line.data();
                 ++dropped_;
                 return;
             }
             next += written;
         }
+        is_torn_ = false;
     }
     void flush_() override {}
 
@@ -70,6 +73,7 @@ class DescriptorSink final : public spdlog::sinks::base_sink<spdlog::details::nu
     bool has_given_up() const { return Clock::now().time_since_epoch().count() >= give_up_at_; }
 
     const int descriptor_;
+    bool is_torn_ = false;
     std::atomic<Clock::rep> give_up_at_{Clock::duration::max().count()};
     std::atomic<std::size_t> dropped_{0};
 };

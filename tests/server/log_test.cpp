@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cctype>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -198,6 +200,34 @@ TEST(Log, ADescriptorThatIsClosedCostsRecordsOnly) {
     const int closed = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     ASSERT_EQ(::close(closed), 0);
     expect_all_dropped(closed);
+}
+
+TEST(Log, LineThatADiskTookHalfStandsAlone) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::FILE* const file = std::tmpfile();
+    ASSERT_TRUE(file);
+    LogOptions to_file;
+    to_file.format = "json";
+    to_file.descriptor = ::fileno(file);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 5'000;
+    {
+        Log log(to_file);
+        ::setrlimit(RLIMIT_FSIZE, &small);
+        log.event(Log::Level::kInfo, "long", {{"text", std::string(8'000, 'x')}});
+        while (log.dropped() == 0) std::this_thread::yield();
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        log.event(Log::Level::kInfo, "short");
+    }
+    std::rewind(file);
+    std::string text(20'000, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file));
+    std::fclose(file);
+    const std::size_t last = text.find('\n');
+    EXPECT_GT(last, 4'000u);
+    EXPECT_EQ(nlohmann::json::parse(text.substr(last), nullptr, false)["msg"], "short") << text.substr(last);
 }
 
 }  // namespace
