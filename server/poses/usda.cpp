@@ -47,7 +47,7 @@ struct RestPose {
 };
 
 void add_chain(RestPose& pose, const Chain& chain, const std::vector<std::string>& names) {
-    Quat global, parent;
+    Quat global;
     Vec3 origin;
     std::string path;
     for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {
