@@ -40,7 +40,8 @@ json chains_of(const std::string& file, const Limits& limits) {
     require(fault.empty(), fault);
     json names = json::array();
     if (const auto* response = std::get_if<Response>(&answer)) {
-        for (const json& chain : json::parse(response->body)["chains"]) names.push_back(chain["name"]);
+        const json body = json::parse(response->body);
+        for (const json& chain : body["chains"]) names.push_back(chain["name"]);
     }
     return names;
 }
