@@ -1,12 +1,8 @@
 #include "api/routes.hpp"
 #include "fuzz_limits.hpp"
+#include "http/target.hpp"
 #include "sound_answer.hpp"
 #include "targets.hpp"
-#if __has_include("http/target.hpp")
-#include "http/target.hpp"
-#else
-#include "http/framing.hpp"
-#endif
 
 namespace tuftwave::server::fuzz {
 

@@ -5,11 +5,7 @@
 #include "api/formats.hpp"
 #include "api/routes.hpp"
 #include "fuzz_limits.hpp"
-#if __has_include("http/target.hpp")
 #include "http/target.hpp"
-#else
-#include "http/framing.hpp"
-#endif
 #include "sound_answer.hpp"
 #include "targets.hpp"
 

@@ -97,7 +97,7 @@ void run_request(const Target&, const std::string_view input) {
     const Reading whole = read(bytes, [&] { return bytes.size(); });
     require(whole.taken <= bytes.size(), "no more is taken than there is");
     require(whole.refusal == 0 || (whole.refusal >= 400 && whole.refusal < 600), "a refusal is a status");
-    require(whole == read(bytes, [] { return 1; }), "byte by byte it says the same");
+    require(whole == read(bytes, [] { return std::size_t{1}; }), "byte by byte it says the same");
     const auto any_part = [&] {
         state = state * 1'664'525U + 1'013'904'223U;
         return std::size_t{1} + (state >> 24) % 40;

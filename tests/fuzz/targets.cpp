@@ -27,9 +27,7 @@ std::vector<Target> targets() {
     all.push_back({"json", run_json});
     all.push_back({"poses", run_poses});
     all.push_back({"query", run_query});
-#if __has_include("http/request_reader.hpp")
     all.push_back({"request", run_request});
-#endif
     all.push_back({"sheets", run_sheets});
     return all;
 }

@@ -118,8 +118,8 @@ TEST(Pool, RefusesWhenEveryWorkerIsBusyAndTheQueueIsFull) {
 }
 
 TEST(Pool, FreeWorkersDoNotCountAsAFullQueue) {
-    Pool pool(3, 0);  // nothing may wait, but three can begin at once, however slowly they wake
-    std::latch begun(3), release(1);
+    std::latch begun(3), release(1);  // outlive the pool, whose workers may still be leaving them
+    Pool pool(3, 0);                  // nothing may wait, but three can begin at once, however slowly they wake
     for (int i = 0; i < 3; ++i) {
         EXPECT_TRUE(pool.submit([&] {
             begun.count_down();
