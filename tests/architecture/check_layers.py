@@ -25,6 +25,7 @@ ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 MAY_INCLUDE = {
     "core": set(),
     "version": set(),
+    "memory": set(),
     "assets": set(),
     "log": {"core", "api"},
     "exec": {"core"},
@@ -33,11 +34,11 @@ MAY_INCLUDE = {
     "poses": {"core", "assets"},
     "gltf": {"core", "version"},
     "character": {"core", "gltf"},
-    "api": {"core", "gltf", "poses", "sheets", "character", "assets", "version"},
-    "access": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config"},
-    "service": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access"},
-    "http": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access", "service"},
-    "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config", "exec", "log", "access", "service", "http"},
+    "api": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory"},
+    "access": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory", "api", "config"},
+    "service": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory", "api", "config", "exec", "log", "access"},
+    "http": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory", "api", "config", "exec", "log", "access", "service"},
+    "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory", "api", "config", "exec", "log", "access", "service", "http"},
 }
 # Libraries by a pattern of their headers, and the layer whose one .cpp may include them.
 ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "tinygltf": (r"/tiny_gltf\.h$", "gltf"), "spdlog": (r"/spdlog/", "log")}
