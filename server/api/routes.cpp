@@ -40,11 +40,11 @@ constexpr std::array<Route, 17> kRoutes{{
     {"POST", "/v1/fits", with_reserve<post_fits>, true},
     {"GET", "/v1/limits", with_reserve<get_limits>, false},
     {"GET", "/v1/version", with_reserve<get_version>, false},
-    {"GET", "/", get_root, false},
-    {"GET", "/openapi.yaml", get_openapi, false},
-    {"GET", "/docs", get_docs, false},
-    {"GET", "/docs/{file}", get_docs_file, false},
-    {"GET", "/studio/{file}", get_studio_file, false},
+    {"GET", "/", with_reserve<get_root>, false},
+    {"GET", "/openapi.yaml", with_reserve<get_openapi>, false},
+    {"GET", "/docs", with_reserve<get_docs>, false},
+    {"GET", "/docs/{file}", with_reserve<get_docs_file>, false},
+    {"GET", "/studio/{file}", with_reserve<get_studio_file>, false},
 }};
 
 bool matches(std::string_view pattern, std::string_view path) {

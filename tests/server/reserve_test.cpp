@@ -1,0 +1,42 @@
+#include "memory/reserve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <new>
+
+namespace tuftwave::server::memory {
+namespace {
+
+constexpr std::size_t kTooMuch = std::size_t{1} << 46;  // no machine has so many addresses left
+
+TEST(Reserve, IsThereOnceItIsHeld) {
+    hold_reserve();
+    EXPECT_TRUE(has_reserve());
+    hold_reserve();
+    EXPECT_TRUE(has_reserve());
+}
+
+TEST(Reserve, IsGivenUpWhereMemoryEndsAndCanBeHeldAgain) {
+    hold_reserve();
+    const std::new_handler handler = std::get_new_handler();
+    ASSERT_NE(handler, nullptr);
+    handler();  // as operator new does: there is something to be had, and it may try again
+    EXPECT_FALSE(has_reserve());
+    EXPECT_THROW(handler(), std::bad_alloc);
+    hold_reserve();
+    EXPECT_TRUE(has_reserve());
+    EXPECT_NO_THROW(handler());
+    hold_reserve();
+}
+
+TEST(Reserve, ATooLargeAllocationStillFails) {
+    if (TUFTWAVE_SANITIZED) GTEST_SKIP() << "a sanitizer's operator new ends the process";
+    hold_reserve();
+    EXPECT_THROW(::operator delete(::operator new(kTooMuch)), std::bad_alloc);
+    EXPECT_FALSE(has_reserve());
+    hold_reserve();
+}
+
+}  // namespace
+}  // namespace tuftwave::server::memory
