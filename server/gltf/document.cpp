@@ -222,6 +222,7 @@ std::string Document::write(Container container) const {
     std::string out;
     StringBuffer buffer(out);
     std::ostream stream(&buffer);
+    stream.exceptions(std::ios::badbit);  // else a stream swallows std::bad_alloc, and half a file would be an answer
     tinygltf::TinyGLTF writer;
     if (container == Container::kGlb) out.reserve(model_->reserved_bytes + 64 * 1024);
     if (!writer.WriteGltfSceneToStream(model_.get(), stream, false, container == Container::kGlb))
