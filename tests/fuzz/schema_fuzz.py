@@ -18,6 +18,7 @@ import multiprocessing
 import os
 import random
 import re
+import struct
 import sys
 import time
 import warnings
@@ -236,7 +237,7 @@ def fault_of(op: contract.Operation, answer: Answer, thoroughly: bool) -> Option
     if answer.media_type == "model/gltf-binary":
         try:
             return None if glb_parts(answer.body)[0]["asset"]["version"] == "2.0" else "no glTF 2.0"
-        except (ValueError, KeyError) as error:
+        except (ValueError, KeyError, struct.error) as error:
             return f"no GLB: {error}"
     schema = known[answer.media_type].get("schema")
     if schema is None or not answer.media_type.endswith(("/json", "problem+json", "gltf+json")):
