@@ -21,6 +21,7 @@ def run(report: Report, program: str, full: bool) -> None:
         signals_that_end_nothing(report, server)
     ends_in_order(report, program)
     ends_at_once(report, program)
+    has_a_successor(report, program)
     if full:
         ends_with_a_slow_client(report, program)
 
@@ -76,6 +77,23 @@ def ends_at_once(report: Report, program: str) -> None:
         server.signal(signal.SIGTERM)
         code = server.wait(AT_ONCE_S)
         report.check("the second SIGTERM ends it at once", code is not None and code != 0, code)
+
+
+def has_a_successor(report: Report, program: str) -> None:
+    """However it ends, with connections open, the next one gets its port at once. Nobody listens to SIGHUP: it ends it."""
+    for number, codes in {signal.SIGKILL: {-signal.SIGKILL}, signal.SIGHUP: {-signal.SIGHUP, 0}, signal.SIGTERM: {0}}.items():
+        with Program(program) as server:
+            clients = [server.connect() for _ in range(20)]
+            for client in clients:
+                client.sendall(INNOCENT)
+                receive(client, 1)
+            server.signal(number)
+            code = server.wait(END_S)
+            report.check(f"{number.name} ends it", code in codes, code)
+            with Program(program, "--port", str(server.port), "--admin-port", str(server.admin_port)) as successor:
+                report.check(f"a successor after {number.name}", successor.is_well() and successor.port == server.port)
+            for client in clients:
+                client.close()
 
 
 def ends_with_a_slow_client(report: Report, program: str) -> None:
