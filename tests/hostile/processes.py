@@ -54,12 +54,12 @@ def signals_that_end_nothing(report: Report, server: Program) -> None:
 def ends_in_order(report: Report, program: str) -> None:
     """Not ready at once, serves on for a while, answers that the connection ends, closes who is idle, exit code 0."""
     for number in (signal.SIGTERM, signal.SIGINT):
-        with Program(program, "--drain", "1") as server:
+        with Program(program, "--drain", "2") as server:
             idle = server.connect()
             idle.sendall(INNOCENT)
             receive(idle, 1)
             server.signal(number)
-            report.check(f"{number.name}: not ready", eventually(lambda: server.request("GET", "/readyz", admin=True).status == 503, 0.9))
+            report.check(f"{number.name}: not ready", eventually(lambda: server.request("GET", "/readyz", admin=True).status == 503, 1.5))
             report.equal(f"{number.name}: alive", server.request("GET", "/livez", admin=True).status, 200)
             last = exchange(server.address, INNOCENT)
             closes = bool(last.replies) and last.replies[0].header("connection") == "close"
