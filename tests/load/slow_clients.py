@@ -100,7 +100,8 @@ def main() -> int:
             process = subprocess.Popen(command(options.generator, server, "/v1/hairstyles", file.name, RATE, options.seconds, CONNECTIONS), stdout=subprocess.PIPE)
             crowd.live(process)
             healthy = finished(process)
-            print(f"{options.clients} {kind}: {count(healthy, 200)} healthy answers, p50 {quantile(healthy, 200, 'p50'):.1f} ms, {len(crowd.lives)} cut off, memory {server.resident() >> 20} MiB, others {others(healthy, 200)}")
+            print(f"{options.clients} {kind}: {count(healthy, 200)} healthy answers, p50 {quantile(healthy, 200, 'p50'):.1f} ms, "
+                  f"{len(crowd.lives)} cut off, memory {server.resident() >> 20} MiB, others {others(healthy, 200)}")
             goals.at_most(f"{kind}: healthy p99", quantile(healthy, 200), HEALTHY_MS, "ms")
             goals.equal(f"{kind}: healthy ones not answered", sum(others(healthy, 200).values()) + healthy["lost"], 0)
             goals.at_most(f"{kind}: longest life", crowd.longest(), CUT_S, "s")

@@ -103,8 +103,9 @@ def main() -> int:
                 time.sleep(TICK_S)
             figures = finished(healthy)
             metrics = server.request("GET", "/metrics", admin=True).body.decode()
-            print(f"{options.readers} readers of {kind}: {sum(reader.taken for reader in readers)} answers begun, {sum(reader.refused for reader in readers)} refused, "
-                  f"{idle / MIB:.0f} MiB when idle, {max(held) / MIB:.0f} MiB held, {server.peak() / MIB:.0f} MiB at most, budget {allowed / MIB:.0f} MiB, healthy p99 {quantile(figures, 200):.1f} ms of {count(figures, 200)}")
+            taken, refused = sum(reader.taken for reader in readers), sum(reader.refused for reader in readers)
+            print(f"{options.readers} readers of {kind}: {taken} answers begun, {refused} refused, healthy p99 {quantile(figures, 200):.1f} ms of {count(figures, 200)}")
+            print(f"  {idle / MIB:.0f} MiB when idle, {max(held) / MIB:.0f} MiB held, {server.peak() / MIB:.0f} MiB at most, budget {allowed / MIB:.0f} MiB")
             print("  " + "; ".join(re.findall(r"^tuftwave_[a-z_]*(?:answer|connection)[a-z_]* \S+$", metrics, re.M)))
             goals.at_most(f"{kind}: memory held", max(held) / MIB, (allowed + BEYOND) / MIB, "MiB")
             goals.at_least(f"{kind}: readers that got their answer's beginning", sum(reader.taken for reader in readers), 1)

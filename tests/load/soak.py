@@ -119,7 +119,8 @@ def main() -> int:
         is_well = server.is_well()
     late = [(when, held) for when, held in memory if when > min(WARM_UP_S, total / 3)]
     rise, error = slope(late)
-    print(f"{mixed.count} requests in {total / 60:.0f} min; memory {rise:.2f} +- {error:.2f} MiB/h over {len(late)} samples, {min(h for _, h in late) / MIB:.1f} to {max(h for _, h in late) / MIB:.1f} MiB")
+    print(f"{mixed.count} requests in {total / 60:.0f} min; memory {rise:.2f} +- {error:.2f} MiB/h over {len(late)} samples, "
+          f"{min(h for _, h in late) / MIB:.1f} to {max(h for _, h in late) / MIB:.1f} MiB")
     goals.equal("different numbers of descriptors at quiet moments", len({files for files, _ in quiet}), 1)
     goals.equal("different numbers of threads at quiet moments", len({threads for _, threads in quiet}), 1)
     goals.at_most("slope of memory", rise, SLOPE, "MiB/h")
