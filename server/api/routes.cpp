@@ -15,36 +15,28 @@
 #include "api/schedules.hpp"
 #include "api/studio.hpp"
 #include "character/file_limits.hpp"
-#include "memory/reserve.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-/// An operation that begins only while there is memory put by to end it with.
-template <Operation operation>
-Answer with_reserve(const Request& request, const Context& context) {
-    memory::hold_reserve();
-    return operation(request, context);
-}
-
 constexpr std::array<Route, 17> kRoutes{{
-    {"POST", "/v1/tufts", with_reserve<post_tufts>, true},
-    {"POST", "/v1/fills", with_reserve<post_fills>, true},
-    {"POST", "/v1/hairstyles", with_reserve<post_hairstyles>, true},
-    {"POST", "/v1/motions", with_reserve<post_motions>, true},
-    {"POST", "/v1/characters/chains", with_reserve<post_character_chains>, true, true},
-    {"POST", "/v1/characters/motion", with_reserve<post_character_motion>, true, true},
-    {"GET", "/v1/schedules", with_reserve<get_schedules>, false},
-    {"POST", "/v1/schedules", with_reserve<post_schedules>, true},
-    {"POST", "/v1/evaluations", with_reserve<post_evaluations>, true},
-    {"POST", "/v1/fits", with_reserve<post_fits>, true},
-    {"GET", "/v1/limits", with_reserve<get_limits>, false},
-    {"GET", "/v1/version", with_reserve<get_version>, false},
-    {"GET", "/", with_reserve<get_root>, false},
-    {"GET", "/openapi.yaml", with_reserve<get_openapi>, false},
-    {"GET", "/docs", with_reserve<get_docs>, false},
-    {"GET", "/docs/{file}", with_reserve<get_docs_file>, false},
-    {"GET", "/studio/{file}", with_reserve<get_studio_file>, false},
+    {"POST", "/v1/tufts", post_tufts, true},
+    {"POST", "/v1/fills", post_fills, true},
+    {"POST", "/v1/hairstyles", post_hairstyles, true},
+    {"POST", "/v1/motions", post_motions, true},
+    {"POST", "/v1/characters/chains", post_character_chains, true, true},
+    {"POST", "/v1/characters/motion", post_character_motion, true, true},
+    {"GET", "/v1/schedules", get_schedules, false},
+    {"POST", "/v1/schedules", post_schedules, true},
+    {"POST", "/v1/evaluations", post_evaluations, true},
+    {"POST", "/v1/fits", post_fits, true},
+    {"GET", "/v1/limits", get_limits, false},
+    {"GET", "/v1/version", get_version, false},
+    {"GET", "/", get_root, false},
+    {"GET", "/openapi.yaml", get_openapi, false},
+    {"GET", "/docs", get_docs, false},
+    {"GET", "/docs/{file}", get_docs_file, false},
+    {"GET", "/studio/{file}", get_studio_file, false},
 }};
 
 bool matches(std::string_view pattern, std::string_view path) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "memory/reserve.hpp"
+
 namespace tuftwave::server {
 namespace {
 
@@ -159,6 +161,7 @@ Response Service::conclude(const Request& request, Answer made, const Record& re
 Answer Service::run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const {
     try {
         if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
+        memory::hold_reserve();
         Answer made = route.run(request, {limits_, for_each, stop});
         if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
         return made;

@@ -11,6 +11,7 @@
 #include "allocation/failing_allocation.hpp"
 #include "api/routes.hpp"
 #include "exec/pool.hpp"
+#include "memory/reserve.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -49,11 +50,12 @@ Request request_of(const Case& one) {
     return request;
 }
 
-/// The answer; nothing where memory ran out, for which the service has an answer of its own. Whatever else is thrown
-/// fails the test.
+/// The answer, asked for as the service does; nothing where memory ran out, for which it has an answer of its own.
+/// Whatever else is thrown fails the test.
 std::optional<Answer> run(const Request& request, const ForEach& for_each) {
     static const Limits limits;
     try {
+        memory::hold_reserve();
         return route_of(request).run(request, {limits, for_each, {}});
     } catch (const std::bad_alloc&) {
         return {};
