@@ -15,8 +15,8 @@ namespace tuftwave::server::gltf {
 /// How a document is packed: one binary file, or JSON with its buffer embedded.
 enum class Container { kGlb, kGltf };
 
-/// A glTF 2.0 document in the making, with one buffer that is written in place. The only user of tinygltf.
-/// Order of use: reserve views and accessors, allocate, fill, write.
+/// A glTF 2.0 document in the making. Its one buffer is written in place, and so is the file around it, since an answer
+/// may have 100 MiB: there is never a second copy. Order of use: reserve views and accessors, allocate, fill, write once.
 class Document {
   public:
     enum class Purpose { kAttribute, kIndex, kData };  ///< what a view holds, which decides its target and stride
@@ -68,8 +68,8 @@ class Document {
     void set_node_extras(int node, const nlohmann::json& extras);
     void set_asset_extras(const nlohmann::json& extras);
 
-    /// Makes the buffer; call once, after the last view. Zero-filled.
-    void allocate();
+    /// Makes the buffer; call once, when all but bounds is said. Zero-filled. @param container  that it will be written as
+    void allocate(Container container);
     /// The bytes of an accessor.
     std::span<std::byte> bytes(int accessor);
     template <class T>
@@ -80,10 +80,15 @@ class Document {
     /// Writes an accessor's exact bounds from its data, which must be float32.
     void set_bounds(int accessor);
 
-    std::string write(Container container) const;
+    /// The file. @param container  as given to allocate()
+    std::string write(Container container);
+
+    struct Model;
 
   private:
-    struct Model;
+    std::string write_glb();
+    std::string write_gltf();
+
     std::unique_ptr<Model> model_;
 };
 

@@ -31,7 +31,7 @@ std::string flip_book_file(const HairPlan& plan, const Look& look, const nlohman
     document.set_asset_extras(asset_extras);
     const int material = document.add_material("hair", linear_color(look.color));
     FlipBook book(document, plan, clip_keys(plan.motion->schedule, clip.holding), material, clip.extras);
-    document.allocate();
+    document.allocate(container);
     book.fill(for_each, stop);
     return document.write(container);
 }
@@ -56,7 +56,7 @@ std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::js
     std::optional<HeldClip> keys;
     if (plan.motion) keys.emplace(document, skeleton, clip_keys(plan.motion->schedule, clip.holding), clip.extras);
 
-    document.allocate();
+    document.allocate(container);
     meshes.fill(for_each, stop);
     if (keys) keys->fill(plan.motion->chains);
     return document.write(container);
@@ -68,7 +68,7 @@ std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, c
     document.set_asset_extras(asset_extras);
     const SkeletonNodes skeleton(document, chains, claim_names(chains, "chain"));
     HeldClip keys(document, skeleton, clip_keys(motion.schedule, clip.holding), clip.extras);
-    document.allocate();
+    document.allocate(container);
     keys.fill(motion.chains);
     return document.write(container);
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace tuftwave::server::gltf {
+
+/// Writes JSON text piece by piece, without a tree of it: a hairstyle's has a million values. Either into memory that is
+/// large enough, or nowhere, to learn how much that is. Whoever calls it sees to the order of keys.
+class JsonText {
+  public:
+    /// @param out  where the text goes; null only counts
+    explicit JsonText(char* out = nullptr) : out_(out) {}
+
+    std::size_t bytes() const { return bytes_; }
+
+    JsonText& raw(std::string_view text);
+    JsonText& text(const std::string& value);  ///< in quotes, escaped
+    JsonText& number(double value);            ///< the shortest digits that say it, with a point or an exponent
+    JsonText& number(std::size_t value);
+    JsonText& number(int value);
+
+    /// A member's key and, unless it is an object's first, the comma before it. @param key  needs no escapes
+    JsonText& key(std::string_view key);
+    JsonText& open(char bracket);   ///< { or [
+    JsonText& close(char bracket);  ///< } or ]
+    void skip(std::size_t bytes) { bytes_ += bytes; }  ///< what somebody else writes
+    JsonText& next();               ///< the comma before an item that is not the first
+
+  private:
+    char* out_;
+    std::size_t bytes_ = 0;
+    bool is_first_ = true;
+};
+
+/// The text of a glTF object's extras: without members and items that are null, and with null for what is empty, since
+/// that is what our files have always said.
+std::string extras_text(const nlohmann::json& extras);
+
+}  // namespace tuftwave::server::gltf

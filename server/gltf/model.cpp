@@ -1,0 +1,188 @@
+#include "gltf/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tuftwave::server::gltf {
+namespace {
+
+using Model = Document::Model;
+
+constexpr double kSame = 1e-12;
+
+std::string_view word_of(Document::Shape shape) {
+    switch (shape) {
+        case Document::Shape::kScalar:
+            return "\"SCALAR\"";
+        case Document::Shape::kVec2:
+            return "\"VEC2\"";
+        case Document::Shape::kVec3:
+            return "\"VEC3\"";
+        case Document::Shape::kVec4:
+            return "\"VEC4\"";
+        case Document::Shape::kMat4:
+            return "\"MAT4\"";
+    }
+    return "";
+}
+
+template <class Numbers>
+void write_numbers(JsonText& to, std::string_view key, const Numbers& numbers) {
+    to.key(key).open('[');
+    for (const auto number : numbers) to.next().number(number);
+    to.close(']');
+}
+
+/// A member that is a list of objects; none at all where the list is empty. @param write  what is between their braces
+template <class Items, class Write>
+void write_list(JsonText& to, std::string_view key, const Items& items, const Write& write) {
+    if (items.empty()) return;
+    to.key(key).open('[');
+    for (const auto& item : items) {
+        to.next().open('{');
+        write(item);
+        to.close('}');
+    }
+    to.close(']');
+}
+
+void write_accessors(const Model& model, JsonText& to) {
+    std::vector<const Model::Bounded*> bounds(model.accessors.size(), nullptr);
+    for (const Model::Bounded& bounded : model.bounds) bounds[static_cast<std::size_t>(bounded.accessor)] = &bounded;
+    std::size_t at = 0;
+    write_list(to, "accessors", model.accessors, [&](const Document::Accessor& accessor) {
+        const Model::Bounded* const bounded = bounds[at++];
+        to.key("bufferView").number(accessor.view);
+        if (accessor.offset != 0) to.key("byteOffset").number(accessor.offset);
+        to.key("componentType").number(static_cast<int>(accessor.component));
+        to.key("count").number(accessor.count);
+        if (bounded != nullptr) {
+            write_numbers(to, "max", bounded->most);
+            write_numbers(to, "min", bounded->least);
+        }
+        to.key("type").raw(word_of(accessor.shape));
+    });
+}
+
+void write_animations(const Model& model, JsonText& to) {
+    write_list(to, "animations", model.animations, [&](const Model::Animation& animation) {
+        int sampler = 0;
+        write_list(to, "channels", animation.channels, [&](const Document::Channel& channel) {
+            to.key("sampler").number(sampler++);
+            to.key("target").open('{').key("node").number(channel.node);
+            to.key("path").raw(channel.path == Document::Path::kRotation ? "\"rotation\"" : "\"scale\"").close('}');
+        });
+        if (!animation.extras.empty()) to.key("extras").raw(animation.extras);
+        to.key("name").text(animation.name);
+        write_list(to, "samplers", animation.channels, [&](const Document::Channel& channel) {
+            to.key("input").number(animation.times);
+            to.key("interpolation")
+                .raw(animation.interpolation == Document::Interpolation::kStep ? "\"STEP\"" : "\"LINEAR\"");
+            to.key("output").number(channel.values);
+        });
+    });
+}
+
+void write_views(const Model& model, JsonText& to) {
+    constexpr int kAttributes = 34962, kIndices = 34963;
+    write_list(to, "bufferViews", model.views, [&](const Model::View& view) {
+        to.key("buffer").number(0).key("byteLength").number(view.bytes);
+        if (view.offset > 0) to.key("byteOffset").number(view.offset);
+        if (view.stride > 0) to.key("byteStride").number(view.stride);
+        if (view.purpose == Document::Purpose::kData) return;
+        to.key("target").number(view.purpose == Document::Purpose::kAttribute ? kAttributes : kIndices);
+    });
+}
+
+void write_materials(const Model& model, JsonText& to) {
+    const auto is_one = [](double channel) { return std::abs(channel - 1) < kSame; };
+    write_list(to, "materials", model.materials, [&](const Model::Material& material) {
+        to.key("name").text(material.name).key("pbrMetallicRoughness").open('{');
+        const auto& color = material.color;
+        if (!std::all_of(color.begin(), color.end(), is_one))  // white need not be said
+            write_numbers(to, "baseColorFactor", std::array<double, 4>{color[0], color[1], color[2], 1.0});
+        to.key("metallicFactor").number(0.0).key("roughnessFactor").number(0.9).close('}');
+    });
+}
+
+void write_meshes(const Model& model, JsonText& to) {
+    constexpr int kTriangles = 4;
+    write_list(to, "meshes", model.meshes, [&](const Model::Mesh& mesh) {
+        const Document::Primitive& primitive = mesh.primitive;
+        if (!mesh.name.empty()) to.key("name").text(mesh.name);
+        to.key("primitives").open('[').next().open('{').key("attributes").open('{');
+        if (primitive.joints) to.key("JOINTS_0").number(*primitive.joints);
+        to.key("NORMAL").number(primitive.normals).key("POSITION").number(primitive.positions);
+        to.key("TEXCOORD_0").number(primitive.uvs);
+        if (primitive.weights) to.key("WEIGHTS_0").number(*primitive.weights);
+        to.close('}').key("indices").number(primitive.indices).key("material").number(primitive.material);
+        to.key("mode").number(kTriangles).close('}').close(']');
+    });
+}
+
+void write_nodes(const Model& model, JsonText& to) {
+    write_list(to, "nodes", model.nodes, [&](const Model::Placed& placed) {
+        const Document::Node& node = placed.node;
+        if (!placed.children.empty()) write_numbers(to, "children", placed.children);
+        if (!placed.extras.empty()) to.key("extras").raw(placed.extras);
+        if (node.mesh) to.key("mesh").number(*node.mesh);
+        if (!node.name.empty()) to.key("name").text(node.name);
+        if (node.rotation) write_numbers(to, "rotation", *node.rotation);
+        if (node.scale) write_numbers(to, "scale", std::array<double, 3>{*node.scale, *node.scale, *node.scale});
+        if (node.skin) to.key("skin").number(*node.skin);
+        if (node.translation) write_numbers(to, "translation", *node.translation);
+    });
+}
+
+void write_skins(const Model& model, JsonText& to) {
+    write_list(to, "skins", model.skins, [&](const Model::Skin& skin) {
+        to.key("inverseBindMatrices").number(skin.matrices);
+        write_numbers(to, "joints", skin.joints);
+        to.key("skeleton").number(skin.root);
+    });
+}
+
+}  // namespace
+
+std::size_t width_of(Document::Shape shape) {
+    switch (shape) {
+        case Document::Shape::kScalar:
+            return 1;
+        case Document::Shape::kVec2:
+            return 2;
+        case Document::Shape::kVec3:
+            return 3;
+        case Document::Shape::kVec4:
+            return 4;
+        case Document::Shape::kMat4:
+            return 16;
+    }
+    return 0;
+}
+
+void write_json(const Model& model, JsonText& to, const std::function<void(JsonText&)>& uri) {
+    to.open('{');
+    write_accessors(model, to);
+    write_animations(model, to);
+    to.key("asset").open('{');
+    if (!model.extras.empty()) to.key("extras").raw(model.extras);
+    to.key("generator").text(model.generator).key("version").text("2.0").close('}');
+    write_views(model, to);
+    to.key("buffers").open('[').next().open('{').key("byteLength").number(model.bytes);
+    if (uri) {
+        to.key("uri").raw("\"data:application/octet-stream;base64,");
+        uri(to);
+        to.raw("\"");
+    }
+    to.close('}').close(']');
+    write_materials(model, to);
+    write_meshes(model, to);
+    write_nodes(model, to);
+    to.key("scene").number(0).key("scenes").open('[').next().open('{');
+    if (!model.roots.empty()) write_numbers(to, "nodes", model.roots);
+    to.close('}').close(']');
+    write_skins(model, to);
+    to.close('}');
+}
+
+}  // namespace tuftwave::server::gltf

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gltf/document.hpp"
+#include "gltf/json_text.hpp"
+
+namespace tuftwave::server::gltf {
+
+/// What a document is made of, as small as may be: a moving hairstyle has 65,536 joints, each with a node, an accessor, a
+/// sampler and a channel.
+struct Document::Model {
+    struct View {
+        Purpose purpose;
+        std::size_t offset, bytes, stride;
+    };
+    struct Bounded {
+        int accessor;
+        std::vector<double> least, most;
+    };
+    struct Placed {
+        Node node;
+        std::vector<int> children;
+        std::string extras;
+    };
+    struct Material {
+        std::string name;
+        std::array<double, 3> color;
+    };
+    struct Mesh {
+        std::string name;
+        Primitive primitive;
+    };
+    struct Skin {
+        std::vector<int> joints;
+        int matrices, root;
+    };
+    struct Animation {
+        std::string name;
+        int times;
+        Interpolation interpolation;
+        std::vector<Channel> channels;
+        std::string extras;
+    };
+
+    std::string generator, extras;
+    std::vector<View> views;
+    std::vector<Accessor> accessors;
+    std::vector<Bounded> bounds;  ///< in no order
+    std::vector<Placed> nodes;
+    std::vector<int> roots;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+    std::string buffer;  ///< its first `bytes` are the buffer's; there is room for the answer around them
+    std::size_t bytes = 0;
+};
+
+/// Numbers in an element of an accessor.
+std::size_t width_of(Document::Shape shape);
+
+/// Writes a model's JSON with its keys in alphabetical order.
+/// @param uri   called where the content of the buffer's uri would stand; empty leaves the uri out
+void write_json(const Document::Model& model, JsonText& to, const std::function<void(JsonText&)>& uri);
+
+}  // namespace tuftwave::server::gltf
