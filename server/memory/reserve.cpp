@@ -1,7 +1,8 @@
 #include "memory/reserve.hpp"
 
+#include <sys/mman.h>
+
 #include <atomic>
-#include <cstdlib>
 #include <mutex>
 #include <new>
 
@@ -15,7 +16,7 @@ thread_local unsigned seen = 0;      // of these, those that this thread has tri
 /// What operator new calls when there is no memory; if it returns, operator new tries again.
 void give_up_reserve() {
     if (void* const block = reserve.exchange(nullptr)) {
-        std::free(block);
+        munmap(block, kReserveBytes);
         ++given_up;
     }
     const unsigned times = given_up;
@@ -29,10 +30,11 @@ void hold_reserve() {
     static std::once_flag once;
     std::call_once(once, [] { std::set_new_handler(give_up_reserve); });
     if (has_reserve()) return;
-    void* const block = std::malloc(kReserveBytes);
-    if (block == nullptr) throw std::bad_alloc();
+    // Not by malloc, which would take the next large blocks from where this one was.
+    void* const block = mmap(nullptr, kReserveBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (block == MAP_FAILED) throw std::bad_alloc();
     void* expected = nullptr;
-    if (!reserve.compare_exchange_strong(expected, block)) std::free(block);  // another thread was faster
+    if (!reserve.compare_exchange_strong(expected, block)) munmap(block, kReserveBytes);  // another thread was faster
 }
 
 bool has_reserve() { return reserve.load(std::memory_order_relaxed) != nullptr; }
