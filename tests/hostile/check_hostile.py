@@ -29,7 +29,7 @@ sys.path[:0] = [HERE, os.path.join(HERE, "..", "contract")]
 from report import FAILED, Report  # noqa: E402
 
 # Each is a module with run(report, program, full).
-NAMES = ("malformed", "legal", "slow", "slow_read", "floods", "json_bombs", "expansion_bombs", "glb_bombs", "processes", "logs", "descriptors", "privileges", "system_calls", "hardening",
+NAMES = ("malformed", "legal", "slow", "slow_read", "kept_alive", "floods", "json_bombs", "expansion_bombs", "glb_bombs", "processes", "logs", "descriptors", "privileges", "system_calls", "hardening",
          "bill_of_materials")
 
 
