@@ -41,7 +41,7 @@ MAY_INCLUDE = {
     "main": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "memory", "api", "config", "exec", "log", "access", "service", "http"},
 }
 # Libraries by a pattern of their headers, and the layer whose one .cpp may include them.
-ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "tinygltf": (r"/tiny_gltf\.h$", "gltf"), "spdlog": (r"/spdlog/", "log")}
+ONE_USER = {"httplib": (r"/httplib\.h$", "http"), "spdlog": (r"/spdlog/", "log")}
 # The same by our own include lines, where other libraries' headers bring it along: httplib's includes OpenSSL.
 ONE_ASKER = {"OpenSSL": (r"^\s*#\s*include\s*<openssl/", "access")}
 # What the standard library of g++ or clang is made of, libc included.
