@@ -123,9 +123,7 @@ void Document::set_bounds(int accessor) {
     model_->bounds.push_back(std::move(bounds));
 }
 
-std::string Document::write(Container container) {
-    return container == Container::kGlb ? write_glb() : write_gltf();
-}
+std::string Document::write(Container container) { return container == Container::kGlb ? write_glb() : write_gltf(); }
 
 std::string Document::write_glb() {
     JsonText json;

@@ -16,7 +16,8 @@ namespace tuftwave::server::gltf {
 enum class Container { kGlb, kGltf };
 
 /// A glTF 2.0 document in the making. Its one buffer is written in place, and so is the file around it, since an answer
-/// may have 100 MiB: there is never a second copy. Order of use: reserve views and accessors, allocate, fill, write once.
+/// may have 100 MiB: there is never a second copy. Order of use: reserve views and accessors, allocate, fill, write
+/// once.
 class Document {
   public:
     enum class Purpose { kAttribute, kIndex, kData };  ///< what a view holds, which decides its target and stride
@@ -68,7 +69,8 @@ class Document {
     void set_node_extras(int node, const nlohmann::json& extras);
     void set_asset_extras(const nlohmann::json& extras);
 
-    /// Makes the buffer; call once, when all but bounds is said. Zero-filled. @param container  that it will be written as
+    /// Makes the buffer; call once, when all but bounds is said. Zero-filled. @param container  that it will be written
+    /// as
     void allocate(Container container);
     /// The bytes of an accessor.
     std::span<std::byte> bytes(int accessor);

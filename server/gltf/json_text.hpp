@@ -7,8 +7,8 @@
 
 namespace tuftwave::server::gltf {
 
-/// Writes JSON text piece by piece, without a tree of it: a hairstyle's has a million values. Either into memory that is
-/// large enough, or nowhere, to learn how much that is. Whoever calls it sees to the order of keys.
+/// Writes JSON text piece by piece, without a tree of it: a hairstyle's has a million values. Either into memory that
+/// is large enough, or nowhere, to learn how much that is. Whoever calls it sees to the order of keys.
 class JsonText {
   public:
     /// @param out  where the text goes; null only counts
@@ -24,10 +24,10 @@ class JsonText {
 
     /// A member's key and, unless it is an object's first, the comma before it. @param key  needs no escapes
     JsonText& key(std::string_view key);
-    JsonText& open(char bracket);   ///< { or [
-    JsonText& close(char bracket);  ///< } or ]
+    JsonText& open(char bracket);                      ///< { or [
+    JsonText& close(char bracket);                     ///< } or ]
     void skip(std::size_t bytes) { bytes_ += bytes; }  ///< what somebody else writes
-    JsonText& next();               ///< the comma before an item that is not the first
+    JsonText& next();                                  ///< the comma before an item that is not the first
 
   private:
     char* out_;

@@ -10,8 +10,8 @@
 
 namespace tuftwave::server::gltf {
 
-/// What a document is made of, as small as may be: a moving hairstyle has 65,536 joints, each with a node, an accessor, a
-/// sampler and a channel.
+/// What a document is made of, as small as may be: a moving hairstyle has 65,536 joints, each with a node, an accessor,
+/// a sampler and a channel.
 struct Document::Model {
     struct View {
         Purpose purpose;

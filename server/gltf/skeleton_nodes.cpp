@@ -10,7 +10,10 @@ namespace tuftwave::server::gltf {
 namespace {
 
 /// Through float32, which is what glTF's readers keep, and so with half the digits.
-double as_float(double value) { return static_cast<double>(static_cast<float>(value)); }
+double as_float(double value) {
+    const volatile float rounded = static_cast<float>(value);  // g++ 12 vectorizes the rounding away
+    return static_cast<double>(rounded);
+}
 
 std::array<double, 3> to_array(const Vec3& v) { return {as_float(v.x), as_float(v.y), as_float(v.z)}; }
 std::array<double, 4> to_array(const Quat& q) { return {as_float(q.x), as_float(q.y), as_float(q.z), as_float(q.w)}; }

@@ -11,8 +11,8 @@ from running import MIB, Program, eventually
 from slow_read import big_request
 from wire import receive
 
-CLIENTS = 10
-MOST = 16 * MIB  # for all of them; one answer alone has 4.7 MiB, one body 8 MiB
+CLIENTS = 16
+MOST = 32 * MIB  # for all of them; one answer alone has 4.7 MiB, one body 8 MiB
 LET_GO_S = 5.0
 
 

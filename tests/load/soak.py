@@ -21,7 +21,7 @@ from loading import MIB, QUIET, Goals, Program, arguments, contract
 
 SLOPE = 1.0  # MiB per hour
 WARM_UP_S = 600.0
-ROUND_S, QUIET_S, SAMPLE_S = 28.0, 2.0, 2.0
+ROUND_S, QUIET_S, SAMPLE_S = 8.0, 2.0, 2.0
 PAUSE_S = 0.05  # of each client between requests: the machine has other things to do
 CLIENTS = 3
 
@@ -113,7 +113,7 @@ def main() -> int:
             quiet.append((server.descriptors(), server.threads()))
             memory.append((at, server.resident()))  # at quiet moments, too, when nothing is being computed
             mixed.rests.clear()
-            if len(quiet) % 4 == 0:
+            if len(quiet) % 12 == 0:
                 print(f"{at / 60:5.1f} min: {mixed.count} requests, {quiet[-1][0]} descriptors, {quiet[-1][1]} threads, {memory[-1][1] / MIB:.2f} MiB", flush=True)
         mixed.end()
         is_well = server.is_well()
