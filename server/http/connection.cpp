@@ -18,6 +18,12 @@ bool would_block(const ssize_t result) {
     return result < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
 }
 
+/// Empties it and lets its memory go, which a string that is assigned to keeps.
+template <class Thing>
+void release(Thing& thing) {
+    [[maybe_unused]] const Thing old = std::exchange(thing, Thing());
+}
+
 }  // namespace
 
 std::string_view Connection::receive(const std::span<char> buffer) {
@@ -52,7 +58,7 @@ Connection::Sent Connection::send() {
         turn += static_cast<std::size_t>(sent);
         progress_ = Clock::now();
     }
-    message_ = {};
+    release(message_);
     sent_ = 0;
     phase_ = Phase::kReading;
     since_ = Clock::now();
@@ -67,8 +73,8 @@ void Connection::begin_lingering() {
     ::shutdown(socket_.number(), SHUT_WR);
     phase_ = Phase::kLingering;
     since_ = Clock::now();
-    kept_ = {};
-    reader = {};
+    release(kept_);
+    release(reader);
 }
 
 bool Connection::drop_input() {

@@ -25,8 +25,8 @@ constexpr std::size_t kRequestsPerConnection = 10'000;
 constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
 constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
 constexpr std::size_t kFreeBodyBytes =
-    64 * 1024;                                // of each: small requests go on when large ones have used the budget up
-constexpr std::size_t kMostTurnedAway = 128;  // that wait, to read why
+    64 * 1024;                                  // of each: small requests go on when large ones have used the budget up
+constexpr std::size_t kMostTurnedAway = 1'024;  // that wait, to read why
 constexpr std::size_t kAcceptsAtOnce = 256;
 
 }  // namespace
@@ -47,7 +47,10 @@ class Listener::Loop {
 
     void serve() {
         for (auto next_tick = Clock::now(); door_.is_open() || !connections_.empty();) {
-            poller_.wait(kTick, [this](const Event& event) { on_event(event); });
+            poller_.wait(kTick, [this](const Event& event) {
+                on_event(event);
+                deliver_answers();  // at once, so that what was made without a worker is counted before more is made
+            });
             deliver_answers();
             if (stopping_) close_the_door();
             if (Clock::now() < next_tick && !stopping_) continue;
@@ -113,7 +116,7 @@ class Listener::Loop {
     /// An answer that is still being made keeps the connection's place, since it keeps its memory.
     void close(Connection& connection) {
         connection.close();
-        if (connection.phase() == Phase::kWriting) answer_bytes_ -= connection.unsent();
+        answer_bytes_ -= connection.held();
         if (connection.phase() == Phase::kAnswering && !connection.is_gone) {
             connection.is_gone = true;
             connection.work.request_stop();
@@ -286,9 +289,9 @@ class Listener::Loop {
 
     /// @return  false if the connection is closed
     bool write(Connection& connection) {
-        const std::size_t before = connection.unsent();
+        const std::size_t before = connection.held();
         const Connection::Sent sent = connection.send();
-        answer_bytes_ -= before - connection.unsent();
+        answer_bytes_ -= before - connection.held();
         if (sent == Connection::Sent::kFailed) {
             close(connection);
             return false;

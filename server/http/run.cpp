@@ -24,10 +24,10 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kAdminConnections = 64;  // probes and scrapers
+constexpr std::size_t kAdminConnections = 256;  // probes and scrapers
 constexpr std::size_t kMiB = 1024 * 1024;
 constexpr int kWrongUsage = 2;
-constexpr rlim_t kOtherDescriptors = 64;  // than connections
+constexpr rlim_t kOtherDescriptors = 2'048;  // than connections
 
 int worker_count(const Config& config) {
     return config.workers > 0 ? config.workers : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -213,7 +213,7 @@ def self_tests() -> list[tuple[str, list[str]]]:
         ("api includes access", check_direction, "server/api/hair.cpp", ours("server/access/keys.hpp")),
         ("a layer nobody knows", check_direction, "server/studio/studio.cpp", "/usr/include/c++/12/string"),
         ("httplib twice", check_one_user, "server/api/hair.cpp", "/usr/include/httplib.h"),
-        ("tinygltf in the wrong layer", check_one_user, "server/api/hair.cpp", "/usr/include/tiny_gltf.h"),
+        ("httplib in the wrong layer", check_one_user, "server/service/service.cpp", "/usr/include/httplib.h"),
         ("spdlog twice", check_one_user, "server/service/service.cpp", "/usr/include/spdlog/spdlog.h"),
     ]
     results = [(f"self-test: {rule.__name__} allows what is right", rule(good)) for rule in (check_direction, check_core, check_one_user)]
