@@ -24,8 +24,9 @@ constexpr auto kTick = std::chrono::milliseconds(50);
 constexpr std::size_t kRequestsPerConnection = 10'000;
 constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
 constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
-constexpr std::size_t kFreeBodyBytes =
-    64 * 1024;                                  // of each: small requests go on when large ones have used the budget up
+constexpr std::size_t kFreeBytes =
+    64 * 1024;  // of each body and answer: small ones go on when large ones fill the budget
+64 * 1024;      // of each: small requests go on when large ones have used the budget up
 constexpr std::size_t kMostTurnedAway = 1'024;  // that wait, to read why
 constexpr std::size_t kAcceptsAtOnce = 256;
 
@@ -218,7 +219,7 @@ class Listener::Loop {
     /// Keeps to the budget of all bodies. @return  false if the connection is closed
     bool count_body(Connection& connection) {
         charge(connection, connection.reader.body_bytes());
-        if (body_bytes_ <= options_.body_memory || connection.body_bytes <= kFreeBodyBytes) return true;
+        if (body_bytes_ <= options_.body_memory || connection.body_bytes <= kFreeBytes) return true;
         return refuse(connection, 503);
     }
 
@@ -258,7 +259,9 @@ class Listener::Loop {
 
     void deliver(Connection& connection, Letter& letter) {
         if (connection.is_gone || letter.message.head.empty()) return forget(connection);
-        const bool is_too_much = answer_bytes_ > 0 && answer_bytes_ + letter.message.size() > options_.answer_memory;
+        const std::size_t size = letter.message.size();
+        const bool is_too_much =
+            size > kFreeBytes && answer_bytes_ > 0 && answer_bytes_ + size > options_.answer_memory;
         const bool is_open =
             is_too_much ? refuse(connection, 503) : send(connection, std::move(letter.message), letter.closes);
         if (is_open) resume(connection);

@@ -16,7 +16,7 @@ struct ListenerOptions {
     int port = 0;                                   ///< 0 picks a free one
     std::size_t connections = 64;                   ///< open at once; the next one gets 503
     std::size_t body_memory = 64 * 1024 * 1024;     ///< bytes of all bodies; the first 64 KiB of each are free
-    std::size_t answer_memory = 192 * 1024 * 1024;  ///< bytes of all answers that clients have not taken yet
+    std::size_t answer_memory = 192 * 1024 * 1024;  ///< bytes of all answers until they are taken; as above
     Patience patience{};
 };
 
