@@ -24,9 +24,8 @@ constexpr auto kTick = std::chrono::milliseconds(50);
 constexpr std::size_t kRequestsPerConnection = 10'000;
 constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
 constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
-constexpr std::size_t kFreeBytes =
-    64 * 1024;  // of each body and answer: small ones go on when large ones fill the budget
-64 * 1024;      // of each: small requests go on when large ones have used the budget up
+// Of each body and each answer: small ones go on when large ones have used the budget up.
+constexpr std::size_t kFreeBytes = 64 * 1024;
 constexpr std::size_t kMostTurnedAway = 1'024;  // that wait, to read why
 constexpr std::size_t kAcceptsAtOnce = 256;
 

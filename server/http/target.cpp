@@ -21,7 +21,7 @@ std::optional<std::string> decoded(const std::string_view text, const bool plus_
             const std::string_view digits = text.substr(i + 1, 2);
             unsigned char byte = 0;
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
-            if (error != std::errc{} || digits.size() != 2 || end != digits.data() + 2 || byte == 0) return {};
+            if (error != std::errc{} || digits.size() != 2 || end != digits.data() + 2) return {};
             out += static_cast<char>(byte);
             i += 2;
         }
@@ -43,7 +43,7 @@ std::optional<Target> parse_target(std::string_view target) {
     if (!target.starts_with('/') || target.find('#') != std::string_view::npos) return {};
     if (!std::all_of(target.begin(), target.end(), is_visible)) return {};
     std::optional<std::string> path = decoded(cut(target, '?'), false);
-    if (!path) return {};
+    if (!path || path->find('\0') != std::string::npos) return {};
     Target parsed{*std::move(path), {}};
     while (!target.empty()) {
         std::string_view value = cut(target, '&');

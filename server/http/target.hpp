@@ -15,8 +15,8 @@ struct Target {
 };
 
 /// @param target  as sent: "/v1/tufts?format=glb"
-/// @return  nothing if it is not an absolute path in visible ASCII, has a fragment or an encoded NUL, or is badly
-///          percent-encoded
+/// @return  nothing if it is not an absolute path in visible ASCII, has a fragment, is badly percent-encoded, or if the
+///          path has an encoded NUL
 std::optional<Target> parse_target(std::string_view target);
 
 }  // namespace tuftwave::server

@@ -16,7 +16,7 @@ TEST(Target, IsDecodedInItsOrder) {
 
 TEST(Target, ThatIsNoPathOrBadlyEncodedIsNone) {
     for (const char* target : {"", "*", "a", "http://h/", "/%", "/%4", "/%4g", "/%-1", "/?a=%", "/?%=a", "/% 1", "/a b",
-                               "/#", "/?a#b", "/%00", "/?a=%00", "/a\x01", "/\xC3\xA9", "/\x7f"})
+                               "/#", "/?a#b", "/%00", "/a\x01", "/\xC3\xA9", "/\x7f"})
         EXPECT_FALSE(parse_target(target)) << target;
 }
 
