@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <fstream>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "allocation/failing_allocation.hpp"
+#include "api/json_guard.hpp"
 #include "api/routes.hpp"
 #include "exec/pool.hpp"
 #include "memory/reserve.hpp"
@@ -150,6 +152,32 @@ TEST_P(Allocation, FailsOnWorkersAsItDoesOnOneThread) {
 }
 
 constexpr const char* kCharacter = "tests/data/characters/vroid_Sakurada_Fumiriya.chains.glb";
+
+// A large body uses up one half of the reserve, too, while it is parsed; the other half is for letting go of it.
+TEST(ParserAllocation, WhereverMemoryEndsWhatWasReadIsLetGo) {
+    const std::string body = content_of("api/examples/hairstyles.json");
+    std::size_t count = 0;
+    {
+        const Armed counting;
+        const auto parsed = parse_guarded(body, JsonLimits{});
+        count = counting.count();
+    }
+    ASSERT_GT(count, 100U);
+    for (std::size_t number = 0; number < count; ++number) {
+        Plan plan;
+        plan.first = number;
+        plan.spares_who_lets_go = true;
+        bool has_failed = false;
+        memory::hold_reserve();
+        try {
+            const Armed armed(plan);
+            const auto parsed = parse_guarded(body, JsonLimits{});
+        } catch (const std::bad_alloc&) {
+            has_failed = true;
+        }
+        EXPECT_TRUE(has_failed) << number;
+    }
+}
 
 const std::vector<Case> kCases{
     {"/v1/tufts", "", "api/examples/tufts.json"},

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <new>
 
 #include "memory/reserve.hpp"
@@ -15,6 +16,7 @@ struct Plan {
     std::size_t first = SIZE_MAX, last = SIZE_MAX;
     std::size_t least_bytes = 0;
     std::size_t bytes_from_reserve = 0;  ///< that may still be had after the reserve was given up, whatever the numbers
+    bool spares_who_lets_go = false;     ///< nothing fails on a thread that an exception passes
 };
 
 inline Plan plan;
@@ -39,6 +41,7 @@ class Armed {
 
 inline bool fails(const std::size_t bytes) {
     if (!is_armed || bytes < plan.least_bytes) return false;
+    if (plan.spares_who_lets_go && std::uncaught_exceptions() > 0) return false;
     const std::size_t number = made++;
     if (number < plan.first || number > plan.last) return false;
     if (plan.bytes_from_reserve == 0 || server::memory::has_reserve()) return true;

@@ -30,6 +30,23 @@ TEST(Reserve, IsGivenUpWhereMemoryEndsAndCanBeHeldAgain) {
     hold_reserve();
 }
 
+TEST(Reserve, HasAHalfForWhoLetsGoAfterTheOtherOneIsUsedUp) {
+    struct LetsGo {
+        ~LetsGo() { EXPECT_NO_THROW(std::get_new_handler()()); }
+    };
+    hold_reserve();
+    std::get_new_handler()();
+    EXPECT_THROW(std::get_new_handler()(), std::bad_alloc);
+    try {
+        const LetsGo passed;
+        throw std::bad_alloc();
+    } catch (const std::bad_alloc&) {
+    }
+    EXPECT_THROW(std::get_new_handler()(), std::bad_alloc);
+    hold_reserve();
+    EXPECT_TRUE(has_reserve());
+}
+
 TEST(Reserve, ATooLargeAllocationStillFails) {
     if (TUFTWAVE_SANITIZED) GTEST_SKIP() << "a sanitizer's operator new ends the process";
     hold_reserve();
