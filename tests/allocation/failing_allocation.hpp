@@ -16,11 +16,11 @@ struct Plan {
     std::size_t first = SIZE_MAX, last = SIZE_MAX;
     std::size_t least_bytes = 0;
     std::size_t bytes_from_reserve = 0;  ///< that may still be had after the reserve was given up, whatever the numbers
-    bool spares_who_lets_go = false;     ///< nothing fails on a thread that an exception passes
+    bool is_short_for_who_lets_go = false;  ///< where an exception passes, only the first allocation fails
 };
 
 inline Plan plan;
-inline std::atomic<bool> is_armed = false;
+inline std::atomic<bool> is_armed = false, has_failed_letting_go = false;
 inline std::atomic<std::size_t> made = 0, taken_from_reserve = 0;
 
 /// While it lives, what the plan says fails. Without a plan nothing fails and allocations are only counted.
@@ -30,6 +30,7 @@ class Armed {
         plan = what;
         made = 0;
         taken_from_reserve = 0;
+        has_failed_letting_go = false;
         is_armed = true;
     }
     ~Armed() { is_armed = false; }
@@ -41,7 +42,7 @@ class Armed {
 
 inline bool fails(const std::size_t bytes) {
     if (!is_armed || bytes < plan.least_bytes) return false;
-    if (plan.spares_who_lets_go && std::uncaught_exceptions() > 0) return false;
+    if (plan.is_short_for_who_lets_go && std::uncaught_exceptions() > 0) return !has_failed_letting_go.exchange(true);
     const std::size_t number = made++;
     if (number < plan.first || number > plan.last) return false;
     if (plan.bytes_from_reserve == 0 || server::memory::has_reserve()) return true;
