@@ -13,10 +13,10 @@ struct Config {
     std::string host = "127.0.0.1";
     int port = 8080;  ///< 0 picks a free one
     std::string admin_host = "127.0.0.1";
-    int admin_port = 8081;        ///< 0 picks a free one
-    int workers = 0;              ///< threads that compute; 0: as many as cores
-    int queue = 256;              ///< jobs that may wait for a worker
-    double queue_seconds = 0.05;  ///< and how long they may be expected to
+    int admin_port = 8081;       ///< 0 picks a free one
+    int workers = 0;             ///< threads that compute; 0: as many as cores
+    int queue = 256;             ///< jobs that may wait for a worker
+    double queue_seconds = 0.1;  ///< and how long they may be expected to
     int connections = 1'024;
     int body_mib = 64;     ///< of all bodies that come in
     int answer_mib = 192;  ///< of all answers that have not been taken

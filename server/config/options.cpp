@@ -27,8 +27,10 @@ constexpr std::array kOptions{
     Option{"workers", "", &Config::workers, 0, 256, "", "threads", "Threads that compute; 0 means as many as cores"},
     Option{"queue", "", &Config::queue, 1, 10'000, "", "jobs",
            "Jobs that may wait for a worker before requests are refused"},
-    Option{"queue-wait", "", &Config::queue_seconds, 0.001, 60, "", "seconds",
-           "How long jobs may be expected to wait before requests are refused; one for each worker may wait longer"},
+    Option{
+        "queue-wait", "", &Config::queue_seconds, 0.001, 60, "", "seconds",
+        "How long a burst of jobs may be expected to wait before requests are refused, an eighth of it while the queue "
+        "does not empty; two for each worker may wait in any case"},
     Option{"connections", "", &Config::connections, 8, 65'535, "", "",
            "Connections open at once; the next one is refused"},
     Option{"body-memory", "", &Config::body_mib, 1, 65'536, "", "MiB",

@@ -21,6 +21,9 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 /// How much one job counts in the mean of what jobs take.
 constexpr double kShareOfOne = 1.0 / 16;
+/// What is left of the longest wait while the queue does not empty.
+constexpr double kShareUnderOverload = 1.0 / 8;
+constexpr std::size_t kAlwaysPerWorker = 2;
 
 /// One running loop. It lives on its caller's stack and stays until every helper has left.
 class Loop {
@@ -83,6 +86,7 @@ class Pool::Workers final : public ForEach {
         {
             const std::lock_guard lock(mutex_);
             if (stopping_ || is_full()) return false;
+            if (jobs_.empty()) standing_since_ = Clock::now();
             jobs_.push_back(std::move(job));
         }
         wake_.notify_one();
@@ -101,7 +105,7 @@ class Pool::Workers final : public ForEach {
     Stats stats() const {
         const std::lock_guard lock(mutex_);
         const double queue = std::max(static_cast<double>(jobs_.size()) / static_cast<double>(capacity_),
-                                      expected_wait() / longest_wait_);
+                                      expected_wait() / longest_wait());
         const double saturation = is_full() ? 1 : (static_cast<double>(busy_) / count_ + std::min(queue, 1.0)) / 2;
         return {count_, busy_, jobs_.size(), capacity_, is_full(), saturation, failed_};
     }
@@ -120,9 +124,17 @@ class Pool::Workers final : public ForEach {
   private:
     /// A queue is measured in time, not in jobs: many small ones may wait as long as one large one. The mutex is held.
     bool is_full() const {
-        const auto workers = static_cast<std::size_t>(count_), idle = static_cast<std::size_t>(count_ - busy_);
-        const bool is_short = expected_wait() < longest_wait_;
-        return jobs_.size() >= idle + (is_short ? capacity_ : std::min(capacity_, workers));
+        const std::size_t idle = static_cast<std::size_t>(count_ - busy_);
+        const std::size_t fewest = static_cast<std::size_t>(count_) * kAlwaysPerWorker;
+        const bool is_short = expected_wait() < longest_wait();
+        return jobs_.size() >= idle + (is_short ? capacity_ : std::min(capacity_, fewest));
+    }
+
+    /// A burst may wait. A queue that has not been empty for that long is no burst: more comes than can be done, and
+    /// whoever waits only waits behind others. The mutex is held.
+    Seconds longest_wait() const {
+        const bool is_overload = !jobs_.empty() && Clock::now() - standing_since_ > longest_wait_;
+        return is_overload ? longest_wait_ * kShareUnderOverload : longest_wait_;
     }
 
     /// Of a job that would come now. The mutex is held.
@@ -171,9 +183,12 @@ class Pool::Workers final : public ForEach {
         ++busy_;
         ++loop.helpers;
         lock.unlock();
+        const auto begin = Clock::now();
         loop.take_part();
+        const Seconds took = Clock::now() - begin;
         lock.lock();
         --busy_;
+        help_ += took;
         if (--loop.helpers == 0) loop.all_left.notify_all();
     }
 
@@ -193,7 +208,7 @@ class Pool::Workers final : public ForEach {
         const Seconds took = Clock::now() - begin;
         lock.lock();
         --busy_;
-        mean_job_ += (took - mean_job_) * kShareOfOne;
+        mean_job_ += (took + std::exchange(help_, Seconds(0)) - mean_job_) * kShareOfOne;
         if (threw) ++failed_;
     }
 
@@ -206,7 +221,9 @@ class Pool::Workers final : public ForEach {
     std::deque<std::function<void()>> jobs_;
     std::vector<std::thread> threads_;
     int busy_ = 0;
-    Seconds mean_job_{0};
+    Seconds mean_job_{0};               // of all workers' time
+    mutable Seconds help_{0};           // since a job ended
+    Clock::time_point standing_since_;  // of the queue, if there is one
     std::size_t failed_ = 0;
     bool stopping_ = false;
 };

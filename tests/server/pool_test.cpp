@@ -190,10 +190,29 @@ TEST(Pool, QueueIsMeasuredInTime) {
     const Occupied occupied(pool);
     int accepted = 0;
     while (pool.submit([] {})) ++accepted;
-    EXPECT_GE(accepted, 1) << "one for each worker, however long it takes";
+    EXPECT_GE(accepted, 2) << "two for each worker, however long they take";
     EXPECT_LE(accepted, 4);
     EXPECT_TRUE(pool.stats().is_full);
     EXPECT_EQ(pool.stats().saturation, 1);
+}
+
+TEST(Pool, QueueThatDoesNotEmptyGetsShorter) {
+    using namespace std::chrono_literals;
+    Pool pool(1, 100, 80ms);
+    for (int i = 0; i < 40; ++i) {
+        std::latch done(1);
+        ASSERT_TRUE(pool.submit([&] {
+            std::this_thread::sleep_for(5ms);
+            done.count_down();
+        }));
+        done.wait();
+    }
+    const Occupied occupied(pool);
+    for (int i = 0; i < 4; ++i) ASSERT_TRUE(pool.submit([] {}));
+    EXPECT_FALSE(pool.stats().is_full) << "a burst";
+    std::this_thread::sleep_for(100ms);
+    EXPECT_TRUE(pool.stats().is_full) << "no burst any more";
+    EXPECT_FALSE(pool.submit([] {}));
 }
 
 TEST(Pool, SaturationSaysHowMuchIsLeft) {
