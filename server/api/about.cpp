@@ -87,7 +87,7 @@ Json files_json() {
             {"nodes", limits.nodes},
             {"joints", limits.joints},
             {"name_bytes", limits.name_bytes},
-            {"memory_factor", limits.memory_factor}};
+            {"json_memory", limits.json_memory}};
 }
 
 constexpr std::string_view kSwaggerPage = R"(<!doctype html>
@@ -137,9 +137,13 @@ constexpr std::array<File, 3> kFiles{{{"swagger-ui.css", "text/css; charset=utf-
 
 Answer get_limits(const Request&, const Context& context) {
     const JsonLimits json_limits;
-    const Json json{{"body_bytes", json_limits.bytes},       {"json_depth", json_limits.depth},
-                    {"json_values", json_limits.values},     {"files", files_json()},
-                    {"counts", counts_json(context.limits)}, {"ranges", ranges_json(context.limits)}};
+    const Json json{{"body_bytes", json_limits.bytes},
+                    {"json_depth", json_limits.depth},
+                    {"json_values", json_limits.values},
+                    {"json_memory", json_limits.memory},
+                    {"files", files_json()},
+                    {"counts", counts_json(context.limits)},
+                    {"ranges", ranges_json(context.limits)}};
     return Response{200, "application/json", json.dump(), {}};
 }
 

@@ -15,7 +15,7 @@ Answer post_character_chains(const Request& request, const Context& context) {
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
     auto read = read_character(request, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
-    return formatted(Format::kJson, found_chains_json(std::get<Upload>(read)).dump(), "chains", nullptr);
+    return formatted(Format::kJson, found_chains_text(std::get<Upload>(read)), "chains", nullptr);
 }
 
 }  // namespace tuftwave::server

@@ -35,13 +35,16 @@ std::string poses_json(const Upload& upload, const CharacterSettings& settings, 
                        const Context& context) {
     Json chains = Json::array();
     for (const std::size_t index : moved.indices) chains.push_back(found_chain_json(upload, index));
-    return Json{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
-                {"schedule", schedule_json(moved.motion.schedule)},
-                {"chains", std::move(chains)},
-                {"pictures", character_pictures_json(upload, moved.found, moved.chains, moved.motion, context.stop)},
-                {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
-                {"warnings", warnings(upload, settings, moved)}}
-        .dump();
+    const Json frame{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
+                     {"schedule", schedule_json(moved.motion.schedule)},
+                     {"chains", std::move(chains)},
+                     {"pictures", nullptr},
+                     {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
+                     {"warnings", warnings(upload, settings, moved)}};
+    const std::vector<ChainPoses> poses =
+        character_poses(upload, moved.found, moved.chains, moved.motion, context.stop);
+    if (context.stop.stop_requested()) return "";
+    return text_with_poses(frame, poses, static_cast<std::size_t>(moved.motion.schedule.pictures));
 }
 
 /// What the bones are called in the file: tools that have the same model find them by that.
@@ -94,8 +97,17 @@ Answer tool_file(const Upload& upload, const MovedCharacter& moved, Format forma
     return answer;
 }
 
+/// A clip's JSON has 2.6 KiB for each bone while it is made; characters have some hundreds.
+Check check_bones(const MovedCharacter& moved) {
+    constexpr std::size_t kMostBones = 16'384;
+    std::size_t bones = 0;
+    for (const character::FoundChain& chain : moved.found) bones += chain.bones.size();
+    return check_total(bones, kMostBones, "bones that the clip moves", "?chains");
+}
+
 std::variant<std::string, Problem> file_with_clip(Upload& upload, const CharacterSettings& settings,
                                                   const MovedCharacter& moved, const FileOptions& options) {
+    if (const Check wrong = check_bones(moved)) return to_problem(*wrong);
     const std::size_t binary_bytes = upload.glb.binary.size();
     if (const auto fault = character::check_clip_fits(upload.file, settings.clip_name, binary_bytes))
         return to_problem(*fault);
@@ -123,6 +135,7 @@ Answer post_character_motion(const Request& request, const Context& context) {
     auto posted = read_character(request, context.limits);
     if (auto* problem = std::get_if<Problem>(&posted)) return std::move(*problem);
     auto& upload = std::get<Upload>(posted);
+    if (format != Format::kGlb) upload.file = {};  // has been read, and may be the largest part of all
     auto made = move_character(upload, settings, format, context);
     if (auto* problem = std::get_if<Problem>(&made)) return std::move(*problem);
 

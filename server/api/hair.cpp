@@ -7,6 +7,7 @@
 #include "api/formats.hpp"
 #include "api/hair_bytes.hpp"
 #include "api/motion_file.hpp"
+#include "api/pose_text.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
 #include "sheets/track_names.hpp"
@@ -85,7 +86,14 @@ std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillne
     return read;
 }
 
-Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_token& stop) {
+/// What a request says; its JSON, which may be the largest part of all, is gone when the work begins.
+std::variant<HairRequest, Problem> read_hair(const Request& request, Stillness stillness, const Limits& limits) {
+    auto body = read_body(request);
+    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
+    return read_hair(std::get<nlohmann::json>(body), stillness, limits);
+}
+
+std::string report_text(const HairRequest& hair, const HairPlan& plan, const std::stop_token& stop) {
     Json report{{"tufts", Json::array()}};
     for (std::size_t i = 0; i < plan.tufts.size(); ++i) {
         const MeshPlan& tuft = plan.tufts[i];
@@ -102,13 +110,16 @@ Json report_json(const HairRequest& hair, const HairPlan& plan, const std::stop_
     if (plan.motion) {
         schedule = &plan.motion->schedule;
         report["schedule"] = schedule_json(*schedule);
-        report["pictures"] = pictures_json(plan.chains, *plan.motion, stop);
+        report["pictures"] = nullptr;
         report["quality"] = quality_json(plan.chains, hair.hairstyle.motion->wave, *plan.motion, stop);
     }
     report["fills"] = Json::array();
     for (const FillReport& fill : plan.fills) report["fills"].push_back(fill_report_json(fill));
     report["warnings"] = warnings_json(schedule, plan.fills);
-    return report;
+    if (schedule == nullptr) return report.dump();
+    const std::vector<ChainPoses> poses = chain_poses(plan.chains, *plan.motion, stop);
+    if (stop.stop_requested()) return "";
+    return text_with_poses(report, poses, static_cast<std::size_t>(schedule->pictures));
 }
 
 /// The drawn tufts are one block, and those of each fill another.
@@ -154,8 +165,7 @@ Answer answer_plan(const HairRequest& hair, const HairPlan& plan, Format format,
         return motion_file({plan.chains, *plan.motion, "tuft", "/tufts", "hair", blocks_of(hair.hairstyle, plan)},
                            format, options, context.limits);
     const Schedule* schedule = plan.motion ? &plan.motion->schedule : nullptr;
-    if (format == Format::kJson)
-        return formatted(format, report_json(hair, plan, context.stop).dump(), "hair", schedule);
+    if (format == Format::kJson) return formatted(format, report_text(hair, plan, context.stop), "hair", schedule);
     if (schedule != nullptr) {
         const Check wrong = options.kind == gltf::ClipKind::kFlipBook
                                 ? check_flip_book(plan, context.limits)
@@ -167,9 +177,7 @@ Answer answer_plan(const HairRequest& hair, const HairPlan& plan, Format format,
 
 Answer answer_hair(const Request& request, const Context& context, Stillness stillness, Format format,
                    const FileOptions& options) {
-    auto body = read_body(request);
-    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    auto read = read_hair(std::get<nlohmann::json>(body), stillness, context.limits);
+    auto read = read_hair(request, stillness, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
     auto& hair = std::get<HairRequest>(read);
     if (auto problem = prepare_for(format, options, hair, context.limits)) return *std::move(problem);

@@ -3,18 +3,39 @@
 #include <nlohmann/json.hpp>
 
 #include "api/write_nouns.hpp"
+#include "gltf/json_text.hpp"
 #include "version.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-nlohmann::json asset_extras(const HairRequest& hair, const HairPlan& plan) {
-    nlohmann::ordered_json extras{{"version", kVersion}, {"hairstyle", hairstyle_json(hair.hairstyle, hair.look)}};
+std::string text_of(const nlohmann::ordered_json& part) { return gltf::extras_text(nlohmann::json(part)); }
+
+/// Everything that was asked for, its keys in alphabetical order; tuft by tuft, since all of them as values are 30
+/// times their text.
+std::string hairstyle_text(const HairRequest& hair) {
+    std::string text = text_of(settings_json(hair.hairstyle, hair.look));
+    text.back() = ',';  // in place of the brace
+    text += "\"tufts\":";
+    char mark = '[';
+    for (const Tuft& tuft : hair.hairstyle.tufts) {
+        text += mark;
+        text += text_of(tuft_json(tuft));
+        mark = ',';
+    }
+    text += "]}";
+    return text;
+}
+
+std::string asset_extras(const HairRequest& hair, const HairPlan& plan) {
     const Schedule* schedule = plan.motion ? &plan.motion->schedule : nullptr;
     const nlohmann::ordered_json warnings = warnings_json(schedule, plan.fills);
-    if (schedule != nullptr) extras["schedule"] = schedule_json(*schedule);
-    if (schedule != nullptr || !warnings.empty()) extras["warnings"] = warnings;
-    return {{"tuftwave", std::move(extras)}};
+    std::string text = "{\"tuftwave\":{\"hairstyle\":" + hairstyle_text(hair);
+    if (schedule != nullptr) text += ",\"schedule\":" + text_of(schedule_json(*schedule));
+    text += ",\"version\":" + nlohmann::json(kVersion).dump();
+    if (schedule != nullptr || !warnings.empty()) text += ",\"warnings\":" + text_of(warnings);
+    text += "}}";
+    return text;
 }
 
 }  // namespace

@@ -13,6 +13,12 @@ Problem refusal(ProblemCode code, std::string detail) { return {code, std::move(
 
 std::string at_byte(std::size_t at) { return " at byte " + std::to_string(at + 1); }
 
+// What the parser's document costs, in bytes as glibc hands them out: 8 MiB of "[]," would become 268 MiB.
+constexpr std::size_t kValueCost = 16;                   // of any value, where it stands
+constexpr std::size_t kListCost = 64, kObjectCost = 64;  // their heads, and room that lists keep in reserve
+constexpr std::size_t kTextCost = 48, kKeyCost = 80;
+constexpr std::size_t kShortText = 15, kLongTextCost = 17;  // longer ones need a place of their own
+
 /// One pass over the bytes. It does not check the grammar, which the parser does, only what the parser does not.
 class Scan {
   public:
@@ -32,6 +38,7 @@ class Scan {
             return;
         }
         if (c == '{' || c == '[') open(c == '{');
+        if (c == '{' || c == '[') weigh(c == '{' ? kObjectCost : kListCost);
         if (c == '}' || c == ']') close();
         if (c == ',' || c == '[' || c == '{') count_value();
         if (c == ',' || c == '{') expects_key_ = !open_.empty() && open_.back().is_object;
@@ -50,7 +57,20 @@ class Scan {
         expects_key_ = false;  // what follows {} is no key, although nothing came between
     }
 
+    void weigh(std::size_t cost) {
+        memory_ += cost;
+        if (memory_ > limits_.memory && !problem_)
+            problem_ =
+                refusal(ProblemCode::kTooManyValues, "More values than fit into " + std::to_string(limits_.memory) +
+                                                         " bytes of memory" + at_byte(at_) + ".");
+    }
+
+    void weigh_text(std::size_t cost, std::size_t bytes) {
+        weigh(cost + (bytes > kShortText ? bytes + kLongTextCost : 0));
+    }
+
     void count_value() {
+        weigh(kValueCost);
         if (++values_ > limits_.values)
             problem_ = refusal(ProblemCode::kTooManyValues,
                                "More than " + std::to_string(limits_.values) + " values" + at_byte(at_) + ".");
@@ -70,6 +90,8 @@ class Scan {
             problem_ = refusal(ProblemCode::kMalformed, "A string does not end.");
             return;
         }
+        weigh_text(expects_key_ ? kKeyCost : kTextCost, at_ - start);
+        if (problem_) return;
         if (expects_key_) key(body_.substr(start, at_ - start), is_escaped, start);
         expects_key_ = false;
         ++at_;
@@ -78,6 +100,7 @@ class Scan {
     void key(std::string_view name, bool is_escaped, std::size_t start) {
         std::vector<std::string_view>& keys = open_.back().keys;
         if (is_escaped && limits_.has_escaped_keys) {
+            weigh_text(kTextCost, name.size());
             name = unescaped(name);
             is_escaped = false;
         }
@@ -106,7 +129,7 @@ class Scan {
 
     std::string_view body_;
     const JsonLimits& limits_;
-    std::size_t at_ = 0, values_ = 1;
+    std::size_t at_ = 0, values_ = 1, memory_ = 0;
     bool expects_key_ = false;
     std::vector<Open> open_;
     std::deque<std::string> unescaped_;  // what keys point to

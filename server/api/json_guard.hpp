@@ -15,11 +15,13 @@ struct JsonLimits {
     std::size_t depth = 32;
     std::size_t values = 2'000'000;  ///< 131,072 points are 524,288 values, 16,384 tufts 262,144, a scalp 1,200,000
     std::size_t keys_per_object = 64;
-    bool has_escaped_keys = false;  ///< ours need none; exporters that keep to ASCII write them
+    bool has_escaped_keys = false;          ///< ours need none; exporters that keep to ASCII write them
+    std::size_t memory = 80 * 1024 * 1024;  ///< bytes of the document by our reckoning; those of the largest request
+                                            ///< that makes sense are 67 MB
 };
 
-/// Parses a client's JSON behind a scan of its bytes: size, nesting, number of values, duplicate keys. A deep document
-/// would overflow the stack of whoever copies or prints it, so it never becomes one.
+/// Parses a client's JSON behind a scan of its bytes: size, nesting, number of values, what they will cost, duplicate
+/// keys. A deep document would overflow the stack of whoever copies or prints it, so it never becomes one.
 /// @return  the document, or malformed, duplicate_key, too_deep, too_many_values, too_large
 std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits);
 

@@ -5,9 +5,11 @@
 #include "api/body.hpp"
 #include "api/formats.hpp"
 #include "api/motion_file.hpp"
+#include "api/pose_text.hpp"
 #include "api/read_nouns.hpp"
 #include "api/write_nouns.hpp"
 #include "gltf/hair_file.hpp"
+#include "gltf/json_text.hpp"
 #include "tuftwave/motion.hpp"
 #include "tuftwave/vector_checks.hpp"
 #include "version.hpp"
@@ -46,6 +48,13 @@ std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, co
     return read;
 }
 
+/// What a request says; its JSON is gone when the work begins.
+std::variant<MotionRequest, Problem> read_request(const Request& request, const Limits& limits) {
+    auto body = read_body(request);
+    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
+    return read_request(std::get<nlohmann::json>(body), limits);
+}
+
 /// Chains that do not say where outward is take it from the head.
 void set_outward(MotionRequest& request) {
     if (!request.head) return;
@@ -71,18 +80,20 @@ Result<HairMotion> move(MotionRequest& request, Format format, const Context& co
 }
 
 std::string answer_json(const MotionRequest& request, const HairMotion& motion, const std::stop_token& stop) {
-    return Json{{"schedule", schedule_json(motion.schedule)},
-                {"pictures", pictures_json(request.chains, motion, stop)},
-                {"quality", quality_json(request.chains, request.motion.wave, motion, stop)},
-                {"warnings", warnings_json(&motion.schedule)}}
-        .dump();
+    const Json frame{{"schedule", schedule_json(motion.schedule)},
+                     {"pictures", nullptr},
+                     {"quality", quality_json(request.chains, request.motion.wave, motion, stop)},
+                     {"warnings", warnings_json(&motion.schedule)}};
+    const std::vector<ChainPoses> poses = chain_poses(request.chains, motion, stop);
+    if (stop.stop_requested()) return "";
+    return text_with_poses(frame, poses, static_cast<std::size_t>(motion.schedule.pictures));
 }
 
 std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format, gltf::Holding holding) {
     const nlohmann::json schedule = schedule_json(motion.schedule);
     const nlohmann::json extras{
         {"tuftwave", {{"version", kVersion}, {"schedule", schedule}, {"warnings", warnings_json(&motion.schedule)}}}};
-    return gltf::clip_file(request.chains, motion, extras, {schedule, holding},
+    return gltf::clip_file(request.chains, motion, gltf::extras_text(extras), {schedule, holding},
                            format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf);
 }
 
@@ -111,9 +122,7 @@ Answer post_motions(const Request& request, const Context& context) {
     auto read_options = read_file_options(request, format, context.limits);
     if (auto* problem = std::get_if<Problem>(&read_options)) return std::move(*problem);
     const FileOptions& options = std::get<FileOptions>(read_options);
-    auto body = read_body(request);
-    if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    auto read = read_request(std::get<nlohmann::json>(body), context.limits);
+    auto read = read_request(request, context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
 
     auto& wanted = std::get<MotionRequest>(read);

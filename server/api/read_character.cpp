@@ -10,8 +10,12 @@ namespace tuftwave::server {
 namespace {
 
 /// What the JSON of a file may be. A face with many expressions nests deeper and has longer lists than what we ask for.
-constexpr JsonLimits kFileJson{character::kFileLimits.json_bytes, character::kFileLimits.json_depth,
-                               character::kFileLimits.json_values, character::kFileLimits.keys_per_object, true};
+constexpr JsonLimits kFileJson{character::kFileLimits.json_bytes,
+                               character::kFileLimits.json_depth,
+                               character::kFileLimits.json_values,
+                               character::kFileLimits.keys_per_object,
+                               true,
+                               character::kFileLimits.json_memory};
 
 ProblemCode code_of(character::Fault::Kind kind) {
     using Kind = character::Fault::Kind;

@@ -121,46 +121,47 @@ Json found_chain_json(const Upload& upload, std::size_t index) {
     return json;
 }
 
-Json found_chains_json(const Upload& upload) {
-    Json chains = Json::array(), branchings = Json::array(), head;
-    for (std::size_t i = 0; i < upload.found.chains.size(); ++i) chains.push_back(found_chain_json(upload, i));
+std::string found_chains_text(const Upload& upload) {
+    Json branchings = Json::array(), head;
     for (const int node : upload.found.branchings) branchings.push_back(named_node_json(upload, node));
     if (upload.found.head >= 0) {
         head = named_node_json(upload, upload.found.head);
         head["center"] = pose_json(upload.found.head_center);
     }
-    return {{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
-            {"head", std::move(head)},
-            {"chains", std::move(chains)},
-            {"branchings", std::move(branchings)},
-            {"skipped", skipped_json(upload)}};
+    const Json before{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"}, {"head", std::move(head)}};
+    const Json after{{"branchings", std::move(branchings)}, {"skipped", skipped_json(upload)}};
+    std::string text = before.dump();
+    text.pop_back();
+    text += ",\"chains\":[";
+    for (std::size_t i = 0; i < upload.found.chains.size(); ++i) {
+        if (i > 0) text += ',';
+        text += found_chain_json(upload, i).dump();
+    }
+    text.append("],").append(after.dump(), 1);
+    return text;
 }
 
-Json character_pictures_json(const Upload& upload, std::span<const FoundChain> moved, std::span<const Chain> chains,
-                             const HairMotion& motion, const std::stop_token& stop) {
-    const Poses poses = all_poses(upload, moved, chains, motion);
-    Json pictures = Json::array();
-    for (std::size_t n = 0; n < static_cast<std::size_t>(motion.schedule.pictures) && !stop.stop_requested(); ++n) {
-        Json of_chains = Json::array();
-        for (std::size_t c = 0; c < moved.size(); ++c) {
-            const std::size_t nodes = chains[c].nodes.size();
-            Json rotations = Json::array(), turns = Json::array(), positions = Json::array();
+std::vector<ChainPoses> character_poses(const Upload& upload, std::span<const FoundChain> moved,
+                                        std::span<const Chain> chains, const HairMotion& motion,
+                                        const std::stop_token& stop) {
+    Poses poses = all_poses(upload, moved, chains, motion);
+    std::vector<ChainPoses> made(moved.size());
+    for (std::size_t c = 0; c < moved.size() && !stop.stop_requested(); ++c) {
+        const std::vector<Pose> own = std::move(poses[c]);
+        const std::size_t nodes = chains[c].nodes.size();
+        made[c] = {chains[c].name, nodes, {}};
+        made[c].poses.reserve(own.size() * nodes);
+        for (std::size_t n = 0; n < own.size(); ++n) {
             for (std::size_t i = 0; i < nodes; ++i) {
                 const Quat& rotation = motion.chains[c].rotations[n * nodes + i];
                 const bool is_tip = i + 1 == nodes;
-                rotations.push_back(pose_json(
-                    is_tip ? rotation : character::to_node_rotation(upload.character, moved[c], i, rotation)));
-                turns.push_back(pose_json(poses[c][n].turns[i]));
-                positions.push_back(pose_json(poses[c][n].positions[i]));
+                made[c].poses.push_back(
+                    node_pose(is_tip ? rotation : character::to_node_rotation(upload.character, moved[c], i, rotation),
+                              own[n].turns[i], own[n].positions[i]));
             }
-            of_chains.push_back({{"name", chains[c].name},
-                                 {"rotations", std::move(rotations)},
-                                 {"turns", std::move(turns)},
-                                 {"positions", std::move(positions)}});
         }
-        pictures.push_back({{"chains", std::move(of_chains)}});
     }
-    return pictures;
+    return made;
 }
 
 }  // namespace tuftwave::server

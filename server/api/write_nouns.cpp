@@ -15,15 +15,6 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-Json chain_pose_json(const Chain& chain, std::span<const Quat> rotations, std::span<const Quat> turns) {
-    Json json{
-        {"name", chain.name}, {"rotations", Json::array()}, {"turns", Json::array()}, {"positions", Json::array()}};
-    for (const Quat& rotation : rotations) json["rotations"].push_back(pose_json(rotation));
-    for (const Quat& turn : turns) json["turns"].push_back(pose_json(turn));
-    for (const Vec3& position : node_positions(chain, rotations)) json["positions"].push_back(pose_json(position));
-    return json;
-}
-
 /// What a decimal can say exactly goes out as a number, whose fraction might have more digits than we read.
 Json fps_json(const FrameRate& fps) {
     constexpr std::int64_t kMillion = 1'000'000;
@@ -150,9 +141,8 @@ std::string frame_rate_text(const FrameRate& fps) {
     return fps.denominator == 1 ? numerator : numerator + "/" + std::to_string(fps.denominator);
 }
 
-Json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look) {
-    Json json{{"head", to_json(hairstyle.head)}, {"tufts", Json::array()}};
-    for (const Tuft& tuft : hairstyle.tufts) json["tufts"].push_back(to_json(tuft));
+Json settings_json(const Hairstyle& hairstyle, const gltf::Look& look) {
+    Json json{{"head", to_json(hairstyle.head)}};
     if (!hairstyle.fills.empty()) json["fills"] = Json::array();
     for (const HairFill& fill : hairstyle.fills)
         json["fills"].push_back(to_json(fill, hairstyle.tufts, hairstyle.formulas));
@@ -201,24 +191,6 @@ Json schedule_json(const Schedule& schedule) {
             {"holds", schedule.holds},       {"starts", schedule.starts},
             {"fps", fps_json(schedule.fps)}, {"requested_period", schedule.requested_period},
             {"period", schedule.period}};
-}
-
-Json pictures_json(std::span<const Chain> chains, const HairMotion& motion, const std::stop_token& stop) {
-    const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
-    std::vector<Json> poses(pictures, Json::array());
-    for (std::size_t c = 0; c < chains.size() && !stop.stop_requested(); ++c) {
-        const std::size_t nodes = chains[c].nodes.size();
-        const std::vector<Quat> turns = model_turns(chains[c], motion.chains[c].rotations);
-        for (std::size_t n = 0; n < pictures; ++n) {
-            const auto of_picture = [&](const std::vector<Quat>& all) {
-                return std::span(all).subspan(n * nodes, nodes);
-            };
-            poses[n].push_back(chain_pose_json(chains[c], of_picture(motion.chains[c].rotations), of_picture(turns)));
-        }
-    }
-    Json answer = Json::array();
-    for (Json& chain_poses : poses) answer.push_back({{"chains", std::move(chain_poses)}});
-    return answer;
 }
 
 Json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion,

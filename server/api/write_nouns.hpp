@@ -14,15 +14,12 @@ namespace tuftwave::server {
 // From core's structs to JSON. Defaults are written out, so that a hairstyle reads back to the same one even if a
 // default should change; what is unset stays out.
 
-nlohmann::ordered_json hairstyle_json(const Hairstyle& hairstyle, const gltf::Look& look);
+/// A hairstyle but for its tufts, of which there may be too many to hold all of them so.
+nlohmann::ordered_json settings_json(const Hairstyle& hairstyle, const gltf::Look& look);
 nlohmann::ordered_json tuft_json(const Tuft& tuft);
 nlohmann::ordered_json fill_report_json(const FillReport& report);
 nlohmann::ordered_json wave_json(const Wave& wave);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
-
-/// Every chain's rotations, turns and positions, picture by picture; incomplete once `stop` is set.
-nlohmann::ordered_json pictures_json(std::span<const Chain> chains, const HairMotion& motion,
-                                     const std::stop_token& stop);
 
 /// What an animator would check; incomplete once `stop` is set.
 nlohmann::ordered_json quality_json(std::span<const Chain> chains, const Wave& wave, const HairMotion& motion,

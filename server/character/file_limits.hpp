@@ -13,10 +13,9 @@ struct FileLimits {
     std::size_t json_values = 2'000'000;
     std::size_t keys_per_object = 256;
     std::size_t nodes = 65'536;
-    std::size_t joints = 262'144;     ///< in all skins
-    std::size_t name_bytes = 1'024;   ///< of a node, spring or bone group
-    std::size_t memory_factor = 256;  ///< what a file costs at most, in multiples of its size; measured are 136, for
-                                      ///< a file that is nothing but empty nodes
+    std::size_t joints = 262'144;                ///< in all skins
+    std::size_t name_bytes = 1'024;              ///< of a node, spring or bone group
+    std::size_t json_memory = 64 * 1024 * 1024;  ///< bytes that its JSON may become, by our reckoning
 };
 
 inline constexpr FileLimits kFileLimits;

@@ -88,7 +88,7 @@ void Document::set_node_extras(int node, const nlohmann::json& extras) {
     model_->nodes[static_cast<std::size_t>(node)].extras = extras_text(extras);
 }
 
-void Document::set_asset_extras(const nlohmann::json& extras) { model_->extras = extras_text(extras); }
+void Document::set_asset_extras(std::string extras) { model_->extras = std::move(extras); }
 
 void Document::allocate(Container container) {
     constexpr std::size_t kBound = 2 * 3 * 32 + 32;  // bytes of the JSON that set_bounds adds, at most

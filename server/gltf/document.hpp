@@ -67,7 +67,7 @@ class Document {
     void add_animation(const std::string& name, int times, Interpolation interpolation,
                        const std::vector<Channel>& channels, const nlohmann::json& extras);
     void set_node_extras(int node, const nlohmann::json& extras);
-    void set_asset_extras(const nlohmann::json& extras);
+    void set_asset_extras(std::string extras);  ///< @param extras  an object's text
 
     /// Makes the buffer; call once, when all but bounds is said. Zero-filled. @param container  that it will be written
     /// as

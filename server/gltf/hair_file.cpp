@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "gltf/flip_book.hpp"
 #include "gltf/hair_meshes.hpp"
@@ -25,10 +26,10 @@ std::array<double, 3> linear_color(const std::string& color) {
     return {linear_channel(color.substr(1, 2)), linear_channel(color.substr(3, 2)), linear_channel(color.substr(5, 2))};
 }
 
-std::string flip_book_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
+std::string flip_book_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
                            Container container, const ForEach& for_each, const std::stop_token& stop) {
     Document document(kGenerator);
-    document.set_asset_extras(asset_extras);
+    document.set_asset_extras(std::move(asset_extras));
     const int material = document.add_material("hair", linear_color(look.color));
     FlipBook book(document, plan, clip_keys(plan.motion->schedule, clip.holding), material, clip.extras);
     document.allocate(container);
@@ -38,12 +39,12 @@ std::string flip_book_file(const HairPlan& plan, const Look& look, const nlohman
 
 }  // namespace
 
-std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::json& asset_extras, const Clip& clip,
+std::string hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
                       Container container, const ForEach& for_each, const std::stop_token& stop) {
     if (plan.motion && clip.kind == ClipKind::kFlipBook)
-        return flip_book_file(plan, look, asset_extras, clip, container, for_each, stop);
+        return flip_book_file(plan, look, std::move(asset_extras), clip, container, for_each, stop);
     Document document(kGenerator);
-    document.set_asset_extras(asset_extras);
+    document.set_asset_extras(std::move(asset_extras));
     const std::vector<std::string> names = claim_names(plan.chains, "tuft");
     const SkeletonNodes skeleton(document, plan.chains, names);
     HairMeshes meshes(document, plan);
@@ -62,10 +63,10 @@ std::string hair_file(const HairPlan& plan, const Look& look, const nlohmann::js
     return document.write(container);
 }
 
-std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, const nlohmann::json& asset_extras,
+std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, std::string asset_extras,
                       const Clip& clip, Container container) {
     Document document(kGenerator);
-    document.set_asset_extras(asset_extras);
+    document.set_asset_extras(std::move(asset_extras));
     const SkeletonNodes skeleton(document, chains, claim_names(chains, "chain"));
     HeldClip keys(document, skeleton, clip_keys(motion.schedule, clip.holding), clip.extras);
     document.allocate(container);

@@ -201,7 +201,7 @@ class Secrets(AccessTest):
         before = resource.prlimit(service.pid, resource.RLIMIT_AS, (used, resource.RLIM_INFINITY))
         tuft = {"points": [[i * 1e-3, 0.1 + i * 1e-4, 0.02] for i in range(60)], "diameter": 30}
         try:
-            return service.post("/v1/tufts", {"head": {"center": [0, 0, 0]}, "tufts": [tuft] * 1500}, Authorization=f"Bearer {self.alice}")
+            return service.post("/v1/tufts", {"head": {"center": [0, 0, 0]}, "tufts": [tuft] * 1500, "mesh": {"rings": 46, "sides": 12, "layout": "merged"}}, Authorization=f"Bearer {self.alice}")
         except OSError:
             return None
         finally:

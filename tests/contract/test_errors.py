@@ -49,6 +49,7 @@ BODIES = [
     ("10,000,000 brackets", b"[" * 10000000, 400, "too_deep"),
     ("more than two million values", b"[" + b"0," * 2000001 + b"0]", 413, "too_many_values"),
     ("more than 64 keys", ("{" + ",".join(f'"k{i}":0' for i in range(65)) + "}").encode(), 413, "too_many_values"),
+    ("a million empty objects", b"[" + b"{}," * 1000000 + b"{}]", 413, "too_many_values"),
     ("two million empty objects", b"[" + b"{}," * 1999999 + b"{}]", 413, "too_many_values"),
     ("more than 16 MiB", b'{"timing": {}' + b" " * (16 * 1024 * 1024) + b"}", 413, "too_large"),
 ]
@@ -66,7 +67,7 @@ class Bodies(ServiceTest):
 
     def test_limits_are_the_served_ones(self) -> None:
         limits = self.service.get("/v1/limits").json()
-        self.assertEqual((limits["body_bytes"], limits["json_depth"], limits["json_values"]), (16 * 1024 * 1024, 32, 2000000))
+        self.assertEqual((limits["body_bytes"], limits["json_depth"], limits["json_values"], limits["json_memory"]), (16 * 1024 * 1024, 32, 2000000, 80 * 1024 * 1024))
         fits = SHEET + b" " * (limits["body_bytes"] - len(SHEET))
         self.assertEqual(self.service.post("/v1/schedules", fits).status, 200)
         self.assert_problem(self.service.post("/v1/schedules", fits + b" "), 413, "too_large")

@@ -107,15 +107,15 @@ def moving(counts: dict[str, int]) -> Iterator[Row]:
     joints = counts["node_poses"] // pictures // 65 * 64
     for word in ("glb", "gltf", "json", "xdts", "csv"):
         yield Row(f"{path}?format={word}", "most node poses", lambda: text({"head": head(), "tufts": tufts(joints // 64, 2, joints=64), "mesh": mesh, "motion": motion()}))
-        yield Row(f"{path}?format={word}", "most tufts that move", lambda: text({"head": head(), "tufts": tufts(counts["node_poses"] // pictures // 2, 2, joints=1), "mesh": mesh, "motion": motion()}))
-    for word, keys in (("vmd", 2 * pictures + 2), ("bvh", 24), ("usda", 2 * pictures + 1)):
+        yield Row(f"{path}?format={word}", "most tufts that move", lambda: text({"head": head(), "tufts": tufts(min(counts["tufts"], counts["node_poses"] // 6 // 2), 2, joints=1), "mesh": mesh, "motion": motion(hold=4)}))
+    for word, keys in (("vmd", 49), ("bvh", 24), ("usda", 49)):
         for each in (64, 1):
-            count = min(counts["joint_keys"] // keys, joints if each == 64 else counts["node_poses"] // pictures // 2) // each
+            count = min(counts["joint_keys"] // keys // each, counts["node_poses"] // pictures // (each + 1))
             yield Row(f"{path}?format={word}", f"most joint keys, {each} joints in a tuft",
-                      lambda count=count, each=each: text({"head": head(), "tufts": tufts(count, 2, joints=each), "mesh": mesh, "motion": motion(fps=30) if each < 0 else motion()}), (200, 422))
+                      lambda count=count, each=each: text({"head": head(), "tufts": tufts(count, 2, joints=each), "mesh": mesh, "motion": motion(period=0.8, fps=30)}))
     for word in ("glb", "gltf"):
-        yield Row(f"{path}?format={word}&interpolation=linear", "most keys of a held clip",
-                  lambda: text({"head": head(), "tufts": tufts(counts["joint_keys"] // 50 // 64, 2, joints=64), "mesh": mesh, "motion": motion()}), (200, 422))
+        yield Row(f"{path}?format={word}&interpolation=held", "most keys of a held clip",
+                  lambda: text({"head": head(), "tufts": tufts(counts["joint_keys"] // 49 // 64, 2, joints=64), "mesh": mesh, "motion": motion()}))
         yield Row(f"{path}?format={word}&clip=flip_book", "most vertices of a flip book",
                   lambda: text({**most_vertices({**counts, "vertices": counts["vertices"] // pictures}, "merged", 100, 64), "motion": motion()}))
     yield Row(path + "?format=csv&repeat=600", "longest sheet", lambda: text({"head": head(), "tufts": tufts(1, 4), "mesh": mesh, "motion": motion()}))
@@ -134,14 +134,15 @@ def chained(counts: dict[str, int]) -> Iterator[Row]:
         for nodes in (2, 65):
             yield Row(f"/v1/motions?format={word}", f"most node poses, {nodes} nodes in a chain",
                       lambda nodes=nodes: text({"chains": chains(min(poses // nodes, counts["chains"]), nodes), "motion": motion()}))
-    for word, keys in (("vmd", 50), ("bvh", 24), ("usda", 49)):
+    for word, keys in (("vmd", 49), ("bvh", 24), ("usda", 49)):
+        yield Row(f"/v1/motions?format={word}", "most joints, few keys", lambda: text({"chains": chains(counts["joints"] // 64, 65), "motion": motion(period=0.1, fps=30)}))
         for nodes in (2, 65):
             yield Row(f"/v1/motions?format={word}", f"most joint keys, {nodes} nodes in a chain",
-                      lambda nodes=nodes, keys=keys: text({"chains": chains(min(counts["joint_keys"] // keys // (nodes - 1), poses // nodes), nodes), "motion": motion()}), (200, 422))
-    yield Row("/v1/motions?format=xdts", "most sheet cells", lambda: text({"chains": chains(counts["chains"], 2, "b"), "motion": motion(fps=12, hold=4)}))
-    yield Row("/v1/motions?format=xdts&repeat=20", "most sheet cells over cycles", lambda: text({"chains": chains(2_000, 2, "b"), "motion": motion()}), (200, 422))
-    yield Row("/v1/motions?format=glb", "most chains", lambda: text({"chains": chains(counts["chains"], 2), "motion": motion(fps=12, hold=4)}))
-    yield Row("/v1/motions?format=json", "most chains", lambda: text({"chains": chains(counts["chains"], 2), "motion": motion(fps=12, hold=4)}))
+                      lambda nodes=nodes, keys=keys: text({"chains": chains(min(counts["joint_keys"] // keys // (nodes - 1), poses // nodes), nodes), "motion": motion(period=0.8, fps=30)}))
+    yield Row("/v1/motions?format=xdts", "most sheet cells", lambda: text({"chains": chains(counts["chains"], 2, "b"), "motion": motion(hold=4)}))
+    yield Row("/v1/motions?format=xdts&repeat=20", "most sheet cells over cycles", lambda: text({"chains": chains(counts["sheet_cells"] // pictures // 20, 2, "b"), "motion": motion()}))
+    yield Row("/v1/motions?format=glb", "most chains", lambda: text({"chains": chains(counts["chains"], 2), "motion": motion(hold=4)}))
+    yield Row("/v1/motions?format=json", "most chains", lambda: text({"chains": chains(counts["chains"], 2), "motion": motion(hold=4)}))
 
 
 def others(counts: dict[str, int]) -> Iterator[Row]:
@@ -150,7 +151,7 @@ def others(counts: dict[str, int]) -> Iterator[Row]:
     dense = copy.deepcopy(contract.example("fills"))
     dense["fill"].update(density={"along": 100, "crown": 100, "neck": 100}, tufts_per_meter=4_000, min_gap=0)
     for word in ("json", "glb"):
-        yield Row(f"/v1/fills?format={word}", "a dense fill", lambda: text({**dense, "mesh": {"rings": 2, "sides": 3}} if word == "glb" else dense), (200, 406, 422))
+        yield Row(f"/v1/fills?format={word}", "a dense fill", lambda word=word: text({**dense, "mesh": {"rings": 2, "sides": 3}} if word == "glb" else dense), (200, 406, 422))
     large = {**dense, "head": {**dense["head"], "scalp": scalp(counts["scalp_vertices"], counts["scalp_triangles"])}}
     yield Row("/v1/fills", "largest scalp", lambda: text(large), (200, 422))
     for path in ("fits", "evaluations"):
@@ -165,13 +166,18 @@ def others(counts: dict[str, int]) -> Iterator[Row]:
         yield Row(f"/v1/{path}", "most drawn nodes", lambda many=many: text(many), (200, 422, 504))
 
 
+def with_extras(extras: bytes) -> bytes:
+    document, binary = small_character(extras="@")
+    return to_glb(json.dumps(document).encode().replace(b'"@"', extras), binary)
+
+
 def character_rows(counts: dict[str, int], files: dict[str, int]) -> Iterator[Row]:
     nodes = files["nodes"]
 
-    def strands(bones: int) -> bytes:
+    def strands(bones: int, most: int) -> bytes:
         """A head from which strands hang, as many as nodes allow."""
         document, binary = small_character()
-        count = (nodes - 1) // bones
+        count = min((nodes - 1) // bones, most)
         made = [{"name": "Head", "translation": [0, 1.5, 0], "children": [1 + i * bones for i in range(count)]}]
         for i in range(count):
             made += [{"name": f"h{i}_{b}", "translation": [0, -0.01, 0], **({"children": [2 + i * bones + b]} if b + 1 < bones else {})} for b in range(bones)]
@@ -179,14 +185,17 @@ def character_rows(counts: dict[str, int], files: dict[str, int]) -> Iterator[Ro
         return to_glb(json.dumps(document, separators=(",", ":")).encode(), binary)
 
     for bones in (2, 3, 64):
-        yield Row("/v1/characters/chains", f"most chains of {bones} bones", lambda bones=bones: strands(bones), (200, 413), GLB)
+        yield Row("/v1/characters/chains", f"most chains of {bones} bones", lambda bones=bones: strands(bones, nodes), (200,), GLB)
         for word in ("glb", "json", "xdts", "csv", "vmd", "bvh", "usda"):
-            yield Row(f"/v1/characters/motion?kinds=hair,skirt,ribbon,unknown&format={word}", f"most chains of {bones} bones", lambda bones=bones: strands(bones), (200, 413, 422), GLB)
+            yield Row(f"/v1/characters/motion?kinds=hair,skirt,ribbon,unknown&period=0.25&format={word}", f"most chains of {bones} bones",
+                      lambda bones=bones, word=word: strands(bones, min(counts["chains"], counts["joints"] // bones, 16_384 // bones if word == "glb" else counts["node_poses"] // 3 // (bones + 1))), (200, 422) if word == "vmd" else (200,), GLB)
+            if word == "glb":
+                yield Row("/v1/characters/motion?kinds=hair,skirt,ribbon,unknown", f"more chains of {bones} bones than a clip moves", lambda bones=bones: strands(bones, nodes), (422,), GLB)
     for path in ("/v1/characters/chains", "/v1/characters/motion?kinds=hair,skirt,ribbon,unknown"):
         yield Row(path, "a large buffer", lambda: to_glb(small_character()[0], bytes(MOST - 2_000)), (200,), GLB)
         for what, item in FILLERS.items():
-            yield Row(path, f"a sound file, extras of {what}", lambda item=item: to_glb(json.dumps(small_character(extras="@")[0]).encode().replace(b'"@"', listed(item, MOST - 4_096))), (200, 413), GLB)
-            yield Row(path, f"a sound file, few enough extras of {what}", lambda item=item: to_glb(json.dumps(small_character(extras="@")[0]).encode().replace(b'"@"', listed(item, MOST // 16))), (200, 413), GLB)
+            yield Row(path, f"a sound file, extras of {what}", lambda item=item: with_extras(listed(item, MOST - 4_096)), (200, 413), GLB)
+            yield Row(path, f"a sound file, few enough extras of {what}", lambda item=item: with_extras(listed(item, MOST // 16)), (200, 413), GLB)
         for noun in ("nodes", "accessors", "materials", "skins"):
             yield Row(path, f"{noun} without end", lambda noun=noun: to_glb(b'{"asset":{"version":"2.0"},"' + noun.encode() + b'":' + listed(b"{}", MOST - 4_096) + b"}"), (413, 422), GLB)
         yield Row(path, "a name without end", lambda: to_glb(b'{"asset":{"version":"2.0"},"nodes":[{"name":"' + b"x" * (MOST - 4_096) + b'"}]}'), (413, 422), GLB)

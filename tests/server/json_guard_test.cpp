@@ -69,5 +69,33 @@ TEST(JsonGuard, CountsValuesBytesAndKeys) {
     EXPECT_EQ(outcome(R"({"a":1,"b":2,"c":3})", {100, 32, 100, 2}), "too_many_values");
 }
 
+std::string repeated(const std::string& item, std::size_t count) {
+    std::string list = "[" + item;
+    for (std::size_t i = 1; i < count; ++i) list += "," + item;
+    return list + "]";
+}
+
+TEST(JsonGuard, WeighsValuesByWhatTheyCost) {
+    JsonLimits limits;
+    limits.memory = 80 * 1'000 + 96;  // a list of a thousand
+    EXPECT_EQ(outcome(repeated("0", 2'000), limits), "parsed");
+    EXPECT_EQ(outcome(repeated("[]", 800), limits), "parsed");
+    for (const char* const item : {"[]", "{}", "[0]", "{\"\":0}", "{\"a\":[]}", "\"0123456789abcdef0123456789abcdef\""})
+        EXPECT_EQ(outcome(repeated(item, 1'001), limits), "too_many_values") << item;
+    EXPECT_EQ(outcome(repeated("\"0123456789abcde\"", 1'001), limits), "parsed");
+    EXPECT_EQ(outcome("{\"" + std::string(80'000, 'a') + "\":0}", limits), "too_many_values");
+}
+
+TEST(JsonGuard, ParsesTheLargestHairstyle) {
+    const std::string tuft = R"({"name":"tuft_12345678901","points":)" + repeated("[0.123456,0.123456,-0.123456]", 8) +
+                             R"(,"diameter":20.5,"widest_at":50,"taper":"tapered","section":"ellipse","flatness":0.5,)"
+                             R"("twist_deg":1.5,"roll_deg":1.5,"joints":4,"phase":0.5,"cycles":1})";
+    const std::string body = R"({"head":{"scalp":{"mesh":{"positions":)" + repeated("0.1234", 600'000) +
+                             R"(,"triangles":)" + repeated("9999", 600'000) + R"(}}},"tufts":)" +
+                             repeated(tuft, 16'384) + "}";
+    EXPECT_LT(body.size(), JsonLimits{}.bytes);
+    EXPECT_EQ(outcome(body), "parsed");
+}
+
 }  // namespace
 }  // namespace tuftwave::server

@@ -27,16 +27,16 @@ struct Limits {
     std::size_t scalp_triangles = 200'000;
     std::size_t chains = 16'384;
     std::size_t nodes_per_chain = 65;
-    std::size_t joints = 65'536;         ///< in all chains; joint indices are 16 bits
-    std::size_t node_poses = 1'048'576;  ///< nodes of all chains times pictures
-    std::size_t joint_keys = 1'048'576;  ///< joints of all chains times the keys that a file has of each
-    std::size_t drawn_nodes = 16'384;    ///< nodes of all drawings times pictures, in a fit
+    std::size_t joints = 65'536;       ///< in all chains; joint indices are 16 bits
+    std::size_t node_poses = 327'680;  ///< nodes of all chains times pictures; as JSON 250 bytes each
+    std::size_t joint_keys = 524'288;  ///< joints of all chains times the keys that a file has of each
+    std::size_t drawn_nodes = 16'384;  ///< nodes of all drawings times pictures, in a fit
     std::size_t rings_per_tuft = 4'096;
-    std::size_t vertices = 2'000'000;  ///< in one answer; about 52 bytes each
-    std::size_t triangles = 4'000'000;
-    std::size_t frames = 1'440;           ///< in one cycle: a minute at 24 frames per second
-    std::size_t sheet_frames = 14'400;    ///< in one sheet: ten minutes
-    std::size_t sheet_cells = 1'048'576;  ///< in one sheet: tracks times pictures of all cycles
+    std::size_t vertices = 1'000'000;  ///< in one answer; 56 bytes each, and a third more as text
+    std::size_t triangles = 2'000'000;
+    std::size_t frames = 1'440;         ///< in one cycle: a minute at 24 frames per second
+    std::size_t sheet_frames = 14'400;  ///< in one sheet: ten minutes
+    std::size_t sheet_cells = 524'288;  ///< in one sheet: tracks times pictures of all cycles
     std::size_t pictures = 24;
 
     // What a value may be
