@@ -176,17 +176,22 @@ TEST(Pool, StopRunsWhatWasAcceptedAndThenRefuses) {
     pool.stop();
 }
 
-TEST(Pool, QueueIsMeasuredInTime) {
-    using namespace std::chrono_literals;
-    Pool pool(1, 100, 10ms);
-    for (int i = 0; i < 40; ++i) {  // so that it knows how long jobs take
+/// Gives one job after the other, of 5 ms each, so that the pool knows how long jobs take.
+void learn_what_jobs_take(Pool& pool) {
+    for (int i = 0; i < 40; ++i) {
         std::latch done(1);
         ASSERT_TRUE(pool.submit([&] {
-            std::this_thread::sleep_for(5ms);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
             done.count_down();
         }));
         done.wait();
     }
+}
+
+TEST(Pool, QueueIsMeasuredInTime) {
+    using namespace std::chrono_literals;
+    Pool pool(1, 100, 10ms);
+    learn_what_jobs_take(pool);
     const Occupied occupied(pool);
     int accepted = 0;
     while (pool.submit([] {})) ++accepted;
@@ -198,19 +203,12 @@ TEST(Pool, QueueIsMeasuredInTime) {
 
 TEST(Pool, QueueThatDoesNotEmptyGetsShorter) {
     using namespace std::chrono_literals;
-    Pool pool(1, 100, 80ms);
-    for (int i = 0; i < 40; ++i) {
-        std::latch done(1);
-        ASSERT_TRUE(pool.submit([&] {
-            std::this_thread::sleep_for(5ms);
-            done.count_down();
-        }));
-        done.wait();
-    }
+    Pool pool(1, 100, 400ms);
+    learn_what_jobs_take(pool);
     const Occupied occupied(pool);
-    for (int i = 0; i < 4; ++i) ASSERT_TRUE(pool.submit([] {}));
+    for (int i = 0; i < 15; ++i) ASSERT_TRUE(pool.submit([] {}));
     EXPECT_FALSE(pool.stats().is_full) << "a burst";
-    std::this_thread::sleep_for(100ms);
+    std::this_thread::sleep_for(450ms);
     EXPECT_TRUE(pool.stats().is_full) << "no burst any more";
     EXPECT_FALSE(pool.submit([] {}));
 }
