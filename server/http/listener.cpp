@@ -54,7 +54,7 @@ class Listener::Loop {
             deliver_answers();
             if (stopping_) close_the_door();
             if (Clock::now() < next_tick && !stopping_) continue;
-            close_what_is_due();
+            guarded([this] { close_what_is_due(); });
             wait_at_the_door(true);
             next_tick = Clock::now() + kTick;
         }

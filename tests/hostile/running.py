@@ -13,6 +13,7 @@ from typing import Any, Callable, Optional, Sequence
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contract"))
 
 import contract  # noqa: E402
+from cell import Cell  # noqa: E402
 from service import Answer, Service  # noqa: E402
 
 DEADLINE = ("--deadline", "10")  # as by default; the contract tests' own is for sanitizers
@@ -29,6 +30,14 @@ class Program(Service):
     def __init__(self, program: str, *flags: str, prefix: Sequence[str] = (), log: Any = subprocess.DEVNULL) -> None:
         super().__init__(program, *DEADLINE, *flags, log=log)
         self._command[:0] = prefix
+
+    cell: Optional[Cell] = None  # where all of them live, if there is one
+
+    def __enter__(self) -> "Program":
+        super().__enter__()
+        if self.cell:
+            self.cell.hold(self.pid)
+        return self
 
     @property
     def address(self) -> tuple[str, int]:
