@@ -1,15 +1,29 @@
 #include "api/entity_tag.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 
 namespace tuftwave::server {
 namespace {
 
-/// FNV-1a of the exact bytes.
+static_assert(std::endian::native == std::endian::little, "or replicas would give different tags");
+
+/// A hash of the exact bytes, as FNV-1a but eight at a time, since a page's files are large.
 std::string entity_tag(const std::string& body) {
     std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : body) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    const auto take = [&hash](const std::uint64_t word) {
+        hash = (hash ^ word) * 0x100000001b3;
+        hash ^= hash >> 32;
+    };
+    for (std::size_t at = 0; at < body.size(); at += sizeof hash) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, body.data() + at, std::min(sizeof word, body.size() - at));
+        take(word);
+    }
+    take(body.size());  // zeros at its end count, too
     char digits[17] = {};
     const auto end = std::to_chars(digits, digits + 16, hash, 16).ptr;
     return "\"" + std::string(digits, end) + "\"";
