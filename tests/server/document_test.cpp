@@ -28,7 +28,7 @@ std::string file_of(std::size_t floats, Container container) {
 }
 
 TEST(Document, WritesBufferAndTextIntoOneFile) {
-    for (const std::size_t floats : {1, 2, 3, 1'000, 100'000}) {
+    for (const std::size_t floats : {1u, 2u, 3u, 1'000u, 100'000u}) {
         const std::string file = file_of(floats, Container::kGlb);
         const auto glb = character::split_glb(file);
         ASSERT_TRUE(std::holds_alternative<character::Glb>(glb)) << floats;
