@@ -12,7 +12,7 @@ import tempfile
 from typing import Any, Optional
 
 import contract
-from service import Answer, Service
+from service import Answer, Service, is_sanitized
 from support import ServiceTest
 
 SHEET = {"timing": {"period": 0.45, "fps": 24, "hold": 2}}
@@ -212,7 +212,7 @@ class Secrets(AccessTest):
         with open(self.log_file, "wb") as log:
             with self.serve("--key-file", self.key_file, "--log-level", "debug", "--log-format", "json", log=log) as service:
                 answers = self.answers(service)
-                starved = self.starve(service)
+                starved = None if is_sanitized(self.program) else self.starve(service)
                 self.assertEqual(service.get("/v1/limits", Authorization=f"Bearer {self.alice}").status, 200)
         for answer in answers:
             self.assertTrue(answer.startswith(b"HTTP/1.1 "), answer[:100])
