@@ -30,7 +30,7 @@ constexpr std::array kOptions{
     Option{
         "queue-wait", "", &Config::queue_seconds, 0.001, 60, "", "seconds",
         "How long a burst of jobs may be expected to wait before requests are refused, an eighth of it while the queue "
-        "does not empty; two for each worker may wait in any case"},
+        "does not empty; one for each worker may wait in any case"},
     Option{"connections", "", &Config::connections, 8, 65'535, "", "",
            "Connections open at once; the next one is refused"},
     Option{"body-memory", "", &Config::body_mib, 1, 65'536, "", "MiB",

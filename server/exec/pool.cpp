@@ -23,7 +23,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr double kShareOfOne = 1.0 / 16;
 /// What is left of the longest wait while the queue does not empty.
 constexpr double kShareUnderOverload = 1.0 / 8;
-constexpr std::size_t kAlwaysPerWorker = 2;
+constexpr std::size_t kAlwaysPerWorker = 1;
 
 /// One running loop. It lives on its caller's stack and stays until every helper has left.
 class Loop {
@@ -86,7 +86,8 @@ class Pool::Workers final : public ForEach {
         {
             const std::lock_guard lock(mutex_);
             if (stopping_ || is_full()) return false;
-            if (jobs_.empty()) standing_since_ = Clock::now();
+            if (jobs_.empty() && Clock::now() - emptied_ > longest_wait_ * kShareUnderOverload)
+                standing_since_ = Clock::now();  // behind a calm; a queue that empties for a moment still stands
             jobs_.push_back(std::move(job));
         }
         wake_.notify_one();
@@ -196,6 +197,7 @@ class Pool::Workers final : public ForEach {
         ++busy_;
         std::function<void()> job = std::move(jobs_.front());
         jobs_.pop_front();
+        if (jobs_.empty()) emptied_ = Clock::now();
         lock.unlock();
         bool threw = false;
         const auto begin = Clock::now();
@@ -221,9 +223,9 @@ class Pool::Workers final : public ForEach {
     std::deque<std::function<void()>> jobs_;
     std::vector<std::thread> threads_;
     int busy_ = 0;
-    Seconds mean_job_{0};               // of all workers' time
-    mutable Seconds help_{0};           // since a job ended
-    Clock::time_point standing_since_;  // of the queue, if there is one
+    Seconds mean_job_{0};                         // of all workers' time
+    mutable Seconds help_{0};                     // since a job ended
+    Clock::time_point standing_since_, emptied_;  // the queue
     std::size_t failed_ = 0;
     bool stopping_ = false;
 };

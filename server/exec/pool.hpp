@@ -26,8 +26,7 @@ class Pool {
     /// @param workers         threads, at least 1
     /// @param queue_capacity  jobs that may wait while every worker is busy
     /// @param longest_wait    and the time that they may be expected to wait, by what jobs took lately; an eighth of it
-    ///                        once the queue has not been empty for that long. Three for each worker may wait in any
-    ///                        case.
+    ///                        once the queue has stood for that long. One for each worker may wait in any case.
     Pool(int workers, std::size_t queue_capacity, std::chrono::duration<double> longest_wait = std::chrono::hours(1));
     ~Pool();
     Pool(const Pool&) = delete;

@@ -195,7 +195,7 @@ TEST(Pool, QueueIsMeasuredInTime) {
     const Occupied occupied(pool);
     int accepted = 0;
     while (pool.submit([] {})) ++accepted;
-    EXPECT_GE(accepted, 2) << "two for each worker, however long they take";
+    EXPECT_GE(accepted, 1) << "one for each worker, however long they take";
     EXPECT_LE(accepted, 4);
     EXPECT_TRUE(pool.stats().is_full);
     EXPECT_EQ(pool.stats().saturation, 1);
