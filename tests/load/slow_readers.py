@@ -25,16 +25,17 @@ SIP, TICK_S = 16, 0.25
 HEAD = b"%b %b HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: %d\r\n\r\n"
 
 
-def largest() -> bytes:
-    """As many vertices as one request may ask for, but a few."""
+def largest(limits: dict[str, int]) -> bytes:
+    """As many of the largest tufts as one request may ask for."""
+    rings, sides = 4_096, 64
     body = contract.example("hairstyles")
-    body["tufts"] = [{**body["tufts"][0], "name": f"t{i}"} for i in range(7)]
-    body["mesh"] = {"rings": 4_096, "sides": 64}
+    body["tufts"] = [{**body["tufts"][0], "name": f"t{i}"} for i in range(limits["vertices"] // (rings * (sides + 1) + 2))]
+    body["mesh"] = {"rings": rings, "sides": sides}
     text = json.dumps(body).encode()
     return HEAD % (b"POST", b"/v1/hairstyles", len(text)) + text
 
 
-def file() -> bytes:
+def file(_: dict[str, int]) -> bytes:
     return b"GET /docs/swagger-ui-bundle.js HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 
@@ -87,12 +88,13 @@ def main() -> int:
     options = arguments(__doc__ or "", readers={"type": int, "default": 900}, seconds={"type": float, "default": 40})
     goals = Goals()
     allowed = budget(options.server)
-    for kind, request in {"the largest computed answer": largest(), "the largest file": file()}.items():
+    for kind, asked in {"the largest computed answer": largest, "the largest file": file}.items():
         with tempfile.NamedTemporaryFile() as body, Program(options.server, *QUIET) as server:
             body.write(hairstyle(1))
             body.flush()
             idle, begin = server.resident(), time.monotonic()
             held: list[int] = []
+            request = asked(server.get("/v1/limits").json()["counts"])
             readers = [Reader(server, request) for _ in range(options.readers)]
             healthy = subprocess.Popen(command(options.generator, server, "/v1/version", None, 20, options.seconds, 4), stdout=subprocess.PIPE)
             while healthy.poll() is None:
