@@ -224,7 +224,7 @@ class Pool::Workers final : public ForEach {
     std::vector<std::thread> threads_;
     int busy_ = 0;
     Seconds mean_job_{0};                         // of all workers' time
-    mutable Seconds help_{0};                     // since a job ended
+    Seconds help_{0};                             // since a job ended
     Clock::time_point standing_since_, emptied_;  // the queue
     std::size_t failed_ = 0;
     bool stopping_ = false;

@@ -1,6 +1,5 @@
 #include "service/service.hpp"
 
-#include <charconv>
 #include <memory>
 #include <new>
 #include <optional>
@@ -29,14 +28,6 @@ std::string method_label(const std::string& method) {
 
 Response plain(int status, std::string text) {
     return {status, "text/plain; charset=utf-8", std::move(text), {{"Cache-Control", "no-store"}}};
-}
-
-/// What Content-Length says, which the framing has looked at; 0 for a chunked body.
-std::uint64_t announced_bytes(const Request& head) {
-    const std::string& digits = head.header("content-length");
-    std::uint64_t bytes = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), bytes);
-    return bytes;
 }
 
 /// The problem behind a bare HTTP status.
@@ -80,10 +71,10 @@ std::variant<Admission, Response> Service::admit(const Request& head) {
     const Route& route = *std::get<const Route*>(found);
     auto admitted = access_.admit(head);
     if (auto* problem = std::get_if<Problem>(&admitted)) return refused(*std::move(problem));
-    const std::uint64_t bytes = announced_bytes(head);
+    const Visitor visitor = std::get<Visitor>(admitted);
+    const std::uint64_t bytes = visitor.paid_bytes;  // announced; 0 for a chunked body
     if (bytes > body_limit(head.path)) return refused(Problem{ProblemCode::kTooLarge, "", {}, {}});
     if (route.computes && bytes > kSmallBodyBytes && pool_.stats().is_full) return refused(busy());
-    const Visitor visitor = std::get<Visitor>(admitted);
     return Admission{body_limit(head.path),
                      [this, &route, visitor](Request request, std::stop_source stop, const Reply& reply) {
                          answer(route, visitor, std::move(request), std::move(stop), reply);
