@@ -12,21 +12,26 @@ namespace tuftwave {
 class Corners {
   public:
     explicit Corners(int sides) : count_(static_cast<std::size_t>(sides)) {
-        for (std::size_t j = 0; j < count_; ++j)
-            angles_[j] = elementary::sincos(2 * kPi * static_cast<double>(j) / sides);
+        for (std::size_t j = 0; j < count_; ++j) {
+            const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j) / sides);
+            sines_[j] = sine;
+            cosines_[j] = cosine;
+        }
     }
 
     std::size_t count() const { return count_; }
+    const double* sines() const { return sines_.data(); }
+    const double* cosines() const { return cosines_.data(); }
 
     /// From the ring's middle to corner `j`, metres, before anything is cut back.
     Vec3 offset(const Ring& ring, std::size_t j) const {
-        return (ring.half_thickness * angles_[j].cos) * ring.frame.normal +
-               (ring.half_width * angles_[j].sin) * ring.frame.binormal();
+        return (ring.half_thickness * cosines_[j]) * ring.frame.normal +
+               (ring.half_width * sines_[j]) * ring.frame.binormal();
     }
 
   private:
     std::size_t count_;
-    std::array<elementary::SinCos, kMostSides> angles_;
+    alignas(64) std::array<double, kMostSides> sines_, cosines_;
 };
 
 }  // namespace tuftwave

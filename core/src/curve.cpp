@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "bezier.hpp"
+#include "place_search.hpp"
 #include "tuftwave/elementary.hpp"
 
 namespace tuftwave {
@@ -18,12 +20,8 @@ constexpr double kMergeShare = 1e-9;
 
 /// Between two samples the tangent turns less than this, radians (about 11 degrees), unless the halving bottoms out.
 constexpr double kSampleTurn = 0.2;
-constexpr int kFirstSamples = 4;    // per Bezier segment
-constexpr int kDeepestHalving = 8;  // 4 x 256 samples per segment at most
-
-/// Cosine of the angle between a step and its first tangent, below which the step tells nothing: between two samples
-/// it is 0.98 or more.
-constexpr double kLeastForwards = 0.5;
+constexpr std::size_t kFirstSamples = 4;  // per Bezier segment
+constexpr int kDeepestHalving = 8;        // 4 x 256 samples per segment at most
 
 /// A tangent shorter than this share of a usual one counts as vanished.
 constexpr double kVanishedTangent = 1e-6;
@@ -32,18 +30,6 @@ constexpr double kHairpinTangent = 0.1;
 
 /// Newton's steps towards a given arc length: three or four are usual, a vanishing tangent takes halvings.
 constexpr int kMostNewtonSteps = 50;
-/// Of the piece between two samples: a nanometre on a kilometre.
-constexpr double kArcTolerance = 1e-12;
-
-struct Node {
-    double at, weight;
-};
-/// Gauss-Legendre quadrature with five nodes on [0, 1].
-constexpr std::array<Node, 5> kGauss{{{0.04691007703066800, 0.11846344252809454},
-                                      {0.23076534494715845, 0.23931433524968324},
-                                      {0.5, 0.28444444444444444},
-                                      {0.76923465505284155, 0.23931433524968324},
-                                      {0.95308992296933200, 0.11846344252809454}}};
 
 std::vector<Vec3> merged(std::span<const Vec3> points) {
     double whole = 0;
@@ -64,55 +50,52 @@ Vec3 centripetal_tangent(const Vec3& a, const Vec3& b, const Vec3& c, double d1,
     return kHairpinTangent * usual * any_perpendicular(normalized(b - a));
 }
 
-/// The unit normal carried from `from` to the point and tangent of `to` without spin.
-Vec3 carried_normal(const CurveFrame& from, const Vec3& point, const Vec3& tangent) {
-    const Vec3 v1 = point - from.point;
-    const double c1 = dot(v1, v1);
-    Vec3 normal = from.normal;
-    // A step that does not run along the tangent is rounding, or a cusp; reflecting in it would flip the normal.
-    if (dot(v1, from.tangent) > kLeastForwards * std::sqrt(c1)) {
-        const Vec3 reflected_normal = normal - (2 / c1 * dot(v1, normal)) * v1;
-        const Vec3 reflected_tangent = from.tangent - (2 / c1 * dot(v1, from.tangent)) * v1;
-        const Vec3 v2 = tangent - reflected_tangent;
-        const double c2 = dot(v2, v2);
-        normal = c2 > 0 ? reflected_normal - (2 / c2 * dot(v2, reflected_normal)) * v2 : reflected_normal;
+/// The unit normal carried from `from` to the point and tangent of another place without spin.
+Vec3 unit_normal(const CurveFrame& from, const Vec3& point, const Vec3& tangent) {
+    const Vec3 normal = bezier::carried_normal(from, point, tangent);
+    const double size = length(normal);
+    return size > bezier::kLeastNormal ? normal / size : any_perpendicular(tangent);
+}
+
+/// What the samples of one segment are made of, before anything is known to turn too quickly: tangents at their ends
+/// and halfway between, and the length from one to the next.
+struct FirstSamples {
+    static constexpr std::size_t kHalves = 2 * kFirstSamples;
+    VectorRows<kHalves> velocities;
+    alignas(64) std::array<double, kHalves> speeds;
+    alignas(64) std::array<double, kFirstSamples> arcs;
+};
+
+TUFTWAVE_BODY void take_first_samples(const bezier::Hodograph& curve, FirstSamples& out) {
+    for (std::size_t k = 0; k < FirstSamples::kHalves; ++k) {
+        const Vec3 velocity = curve.derivative(static_cast<double>(k + 1) / FirstSamples::kHalves);
+        out.velocities.set(k, velocity);
+        out.speeds[k] = length(velocity);
     }
-    const Vec3 upright = rejected(normal, tangent);  // rounding leaves a trace of tangent
-    const double size = length(upright);
-    return size > 1e-6 ? upright / size : any_perpendicular(tangent);
+    for (std::size_t k = 0; k < kFirstSamples; ++k)
+        out.arcs[k] = curve.arc(static_cast<double>(k) / kFirstSamples, static_cast<double>(k + 1) / kFirstSamples);
 }
 
 }  // namespace
 
-Vec3 Curve::Segment::point(double t) const {
-    const double u = 1 - t;
-    return u * u * u * b0 + 3 * u * u * t * b1 + 3 * u * t * t * b2 + t * t * t * b3;
-}
+Vec3 Curve::Segment::point(double t) const { return bezier::point(b0, b1, b2, b3, t); }
 
-Vec3 Curve::Segment::derivative(double t) const {
-    const double u = 1 - t;
-    return 3 * u * u * (b1 - b0) + 6 * u * t * (b2 - b1) + 3 * t * t * (b3 - b2);
-}
-
-double Curve::Segment::arc(double t0, double t1) const {
-    double sum = 0;
-    for (const Node& node : kGauss) sum += node.weight * length(derivative(t0 + node.at * (t1 - t0)));
-    return sum * (t1 - t0);
-}
+bezier::Hodograph Curve::Segment::hodograph() const { return {b1 - b0, b2 - b1, b3 - b2}; }
 
 double Curve::Segment::parameter(double t0, double t1, double wanted, double whole) const {
+    const bezier::Hodograph curve = hodograph();
     double low = t0, high = t1, t = t0 + wanted / whole * (t1 - t0);
     for (int step = 0; step < kMostNewtonSteps; ++step) {
-        const double beyond = arc(t0, t) - wanted;
+        const double beyond = curve.arc(t0, t) - wanted;
         if (std::abs(beyond) <= kArcTolerance * whole) break;
         (beyond > 0 ? high : low) = t;
-        const double next = t - beyond / length(derivative(t));
+        const double next = t - beyond / curve.speed(t);
         t = next > low && next < high ? next : (low + high) / 2;
     }
     return t;
 }
 
-Curve::Curve(std::span<const Vec3> points) {
+Curve::Curve(std::span<const Vec3> points, Vectors vectors) : vectors_(vectors) {
     make_segments(merged(points));
     for (std::size_t i = 0; i < segments_.size(); ++i) measure(i);
 }
@@ -138,12 +121,26 @@ void Curve::measure(std::size_t segment) {
         const Vec3 tangent = tangent_at(0, 0, normalized(segments_[0].b3 - segments_[0].b0));
         samples_.push_back({0, 0, 0, 0, {segments_[0].b0, tangent, any_perpendicular(tangent)}});
     }
-    for (int i = 0; i < kFirstSamples; ++i) sample_up_to(segment, (i + 1.0) / kFirstSamples, 0);
+    FirstSamples first;
+    run_with<take_first_samples>(vectors_, segments_[segment].hodograph(), first);
+    for (std::size_t k = 0; k < kFirstSamples; ++k) {
+        const double t = static_cast<double>(k + 1) / kFirstSamples;
+        const Vec3& last = samples_.back().frame.tangent;
+        const auto tangent = [&](std::size_t half) {
+            return first.speeds[half] > 0 ? first.velocities[half] / first.speeds[half] : last;
+        };
+        const Vec3 between = tangent(2 * k), end = tangent(2 * k + 1);
+        const double turn = length(between - last) + length(end - between);
+        if (turn > kSampleTurn) {
+            sample_up_to(segment, t, 0);
+        } else {
+            add_sample(segment, t, first.arcs[k], turn, end);
+        }
+    }
 }
 
 void Curve::sample_up_to(std::size_t segment, double t, int halvings) {
-    const Segment& bezier = segments_[segment];
-    const Sample from = samples_.back();
+    const Sample& from = samples_.back();
     const double from_t = from.segment == segment ? from.t : 0;
     const double middle = (from_t + t) / 2;
     const Vec3 tangent = tangent_at(segment, t, from.frame.tangent);
@@ -154,45 +151,86 @@ void Curve::sample_up_to(std::size_t segment, double t, int halvings) {
         sample_up_to(segment, t, halvings + 1);
         return;
     }
-    Sample next{segment, t, from.along + bezier.arc(from_t, t), from.turning + turn, {}};
-    const Vec3 point = bezier.point(t);
-    next.frame = {point, tangent, carried_normal(from.frame, point, tangent)};
-    samples_.push_back(next);
+    add_sample(segment, t, segments_[segment].hodograph().arc(from_t, t), turn, tangent);
+}
+
+void Curve::add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent) {
+    const Sample& from = samples_.back();
+    const Vec3 point = segments_[segment].point(t);
+    samples_.push_back(
+        {segment, t, from.along + arc, from.turning + turn, {point, tangent, unit_normal(from.frame, point, tangent)}});
 }
 
 Vec3 Curve::tangent_at(std::size_t segment, double t, const Vec3& otherwise) const {
-    const Vec3 derivative = segments_[segment].derivative(t);
+    const Vec3 derivative = segments_[segment].hodograph().derivative(t);
     const double speed = length(derivative);
     return speed > 0 ? derivative / speed : otherwise;
 }
 
-std::size_t Curve::sample_before(double along) const {
+std::size_t Curve::sample_before(double along, std::size_t guess) const {
+    while (guess + 2 < samples_.size() && samples_[guess + 1].along <= along) ++guess;
+    if (samples_[guess].along <= along) return guess;
     const auto after = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, along,
                                         [](double value, const Sample& sample) { return value < sample.along; });
     return static_cast<std::size_t>(after - samples_.begin()) - 1;
 }
 
 CurveFrame Curve::at(double along) const {
-    if (along <= 0) return samples_.front().frame;
-    if (along >= arc_length()) return samples_.back().frame;
-    const std::size_t index = sample_before(along);
-    const Sample& a = samples_[index];
-    const Sample& b = samples_[index + 1];
-    const double t0 = b.segment == a.segment ? a.t : 0;
-    const double span = b.along - a.along;
-    if (!(span > 0)) return a.frame;
-    const Segment& bezier = segments_[b.segment];
+    CurveFrame frame;
+    at({&along, 1}, {&frame, 1});
+    return frame;
+}
 
-    const double t = bezier.parameter(t0, b.t, along - a.along, span);
-    const Vec3 point = bezier.point(t);
-    const Vec3 tangent = tangent_at(b.segment, t, a.frame.tangent);
-    return {point, tangent, carried_normal(a.frame, point, tangent)};
+void Curve::at(std::span<const double> along, std::span<CurveFrame> out) const {
+    PlaceSearch search;
+    for (std::size_t from = 0; from < along.size(); from += PlaceSearch::kMost) {
+        const std::size_t count = std::min(PlaceSearch::kMost, along.size() - from);
+        find(along.subspan(from, count), out.subspan(from, count), search);
+    }
+}
+
+void Curve::find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const {
+    const std::size_t count = along.size();
+    std::array<std::size_t, PlaceSearch::kMost> samples;
+    std::size_t before = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        before = sample_before(std::clamp(along[k], 0.0, arc_length()), before);
+        const Sample& a = samples_[before];
+        const Sample& b = samples_[before + 1];
+        const Segment& bezier = segments_[b.segment];
+        samples[k] = before;
+        search.b0.set(k, bezier.b0);
+        search.b1.set(k, bezier.b1);
+        search.b2.set(k, bezier.b2);
+        search.b3.set(k, bezier.b3);
+        search.t0[k] = b.segment == a.segment ? a.t : 0;
+        search.t1[k] = b.t;
+        search.wanted[k] = along[k] - a.along;
+        search.whole[k] = b.along - a.along;
+        search.point.set(k, a.frame.point);
+        search.tangent.set(k, a.frame.tangent);
+        search.normal.set(k, a.frame.normal);
+    }
+    search.find_parameters(count, vectors_);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (search.missed[k] == 0 || !(search.whole[k] > 0)) continue;
+        const Segment& bezier = segments_[samples_[samples[k] + 1].segment];
+        search.t[k] = bezier.parameter(search.t0[k], search.t1[k], search.wanted[k], search.whole[k]);
+    }
+    search.find_frames(count, vectors_);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 tangent = search.tangent[k];
+        out[k] = {search.point[k], tangent, search.normal_size[k] > 0 ? search.normal[k] : any_perpendicular(tangent)};
+        if (!(search.whole[k] > 0)) out[k] = samples_[samples[k]].frame;
+        if (along[k] <= 0) out[k] = samples_.front().frame;
+        if (along[k] >= arc_length()) out[k] = samples_.back().frame;
+    }
 }
 
 double Curve::turning_until(double along) const {
     if (along <= 0) return 0;
     if (along >= arc_length()) return samples_.back().turning;
-    const Sample& a = samples_[sample_before(along)];
+    const Sample& a = samples_[sample_before(along, 0)];
     const Sample& b = *(&a + 1);
     const double span = b.along - a.along;
     return span > 0 ? a.turning + (along - a.along) / span * (b.turning - a.turning) : a.turning;

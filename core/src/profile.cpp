@@ -3,18 +3,21 @@
 #include "tuftwave/profile.hpp"
 
 #include <cmath>
+#include <cstddef>
 
-#include "tuftwave/elementary.hpp"
+#include "elementary_bodies.hpp"
 #include "tuftwave/math.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
 namespace {
 
 /// The rise from 0 to 1. @param part  0 to 1
-double rise(Taper taper, double part) {
-    switch (taper) {
+template <Taper kTaper>
+TUFTWAVE_BODY double rise(double part) {
+    switch (kTaper) {
         case Taper::kSine:
-            return elementary::sin(kPi / 2 * part);
+            return elementary::bodies::sincos(kPi / 2 * part).sin;
         case Taper::kLinear:
             return part;
         case Taper::kSmooth:
@@ -25,13 +28,35 @@ double rise(Taper taper, double part) {
     return part;
 }
 
+template <Taper kTaper>
+TUFTWAVE_BODY void widths(std::span<const double> along, double widest_at, std::span<double> out) {
+    for (std::size_t i = 0; i < along.size(); ++i) {
+        const double before = along[i] > 0 ? along[i] / widest_at : 0;
+        const double after = along[i] < 1 ? (1 - along[i]) / (1 - widest_at) : 0;
+        out[i] = rise<kTaper>(along[i] <= widest_at ? before : after);
+    }
+}
+
 }  // namespace
 
 double profile_width(Taper taper, double along, double widest_at) {
-    if (along <= 0) return 0;
-    if (along <= widest_at) return rise(taper, along / widest_at);
-    if (along >= 1) return 0;
-    return rise(taper, (1 - along) / (1 - widest_at));
+    double width;
+    profile_widths(taper, {&along, 1}, widest_at, {&width, 1});
+    return width;
+}
+
+void profile_widths(Taper taper, std::span<const double> along, double widest_at, std::span<double> out,
+                    Vectors vectors) {
+    switch (taper) {
+        case Taper::kSine:
+            return run_with<widths<Taper::kSine>>(vectors, along, widest_at, out);
+        case Taper::kLinear:
+            return run_with<widths<Taper::kLinear>>(vectors, along, widest_at, out);
+        case Taper::kSmooth:
+            return run_with<widths<Taper::kSmooth>>(vectors, along, widest_at, out);
+        case Taper::kRound:
+            return run_with<widths<Taper::kRound>>(vectors, along, widest_at, out);
+    }
 }
 
 }  // namespace tuftwave

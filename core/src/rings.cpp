@@ -2,8 +2,11 @@
 #include "rings.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
-#include "tuftwave/elementary.hpp"
+#include "elementary_bodies.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
 namespace {
@@ -21,57 +24,104 @@ constexpr double kLookedAt = 0.92;
 /// Where a ring count is given: the share of the arc length that a turn by one radian counts for.
 constexpr double kTurnWorth = 0.08;
 
+/// Turns normals about their tangents, as the tuft rolls and twists.
+TUFTWAVE_BODY void turn(std::vector<Ring>& rings, const Tuft& tuft) {
+    for (Ring& ring : rings) {
+        const auto turn = elementary::bodies::sincos((tuft.roll_deg + tuft.twist_deg * ring.along) * kRadiansPerDegree);
+        ring.frame.normal = turn.cos * ring.frame.normal + turn.sin * ring.frame.binormal();
+    }
+}
+
+/// A piece of the tuft that may be halved, as rings: its ends and its middle.
+struct Piece {
+    Ring from, middle, to;
+};
+
 class RingChooser {
   public:
-    RingChooser(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail)
-        : curve_(curve), tuft_(tuft), half_diameter_(diameter / 2), detail_(detail) {}
+    RingChooser(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail, Vectors vectors)
+        : curve_(curve), tuft_(tuft), half_diameter_(diameter / 2), detail_(detail), vectors_(vectors) {}
 
-    /// False when there would be more than `most` rings.
+    /// Halves pieces until all are fine; all that are equally long at once, since many places are found more quickly
+    /// than one. False when there would be more than `most` rings.
     bool by_tolerance(std::size_t most) {
-        most_ = most;
-        const Ring first = ring_at(0);
-        const double widest = tuft_.widest_at / 100;
-        if (widest >= 1) return halve(first, ring_at(1), 0) && keep(ring_at(1));
-        const Ring middle = ring_at(widest);
-        return halve(first, middle, 0) && keep(middle) && halve(middle, ring_at(1), 0);
+        std::vector<Piece> pieces = first_pieces(), halves;
+        for (int halvings = 0; halvings < kDeepestHalving && !pieces.empty(); ++halvings) {
+            const std::vector<Ring> quarters = quarters_of(pieces);
+            halves.clear();
+            for (std::size_t i = 0; i < pieces.size(); ++i) {
+                const auto& [from, middle, to] = pieces[i];
+                const Ring &first = quarters[2 * i], &last = quarters[2 * i + 1];
+                if (is_fine(pieces[i], first, last)) continue;
+                rings_.push_back(middle);
+                halves.push_back({from, first, middle});
+                halves.push_back({middle, last, to});
+            }
+            if (rings_.size() > most) return false;
+            std::swap(pieces, halves);
+        }
+        std::ranges::sort(rings_, {}, &Ring::along);
+        return true;
     }
 
     void by_count(int count) {
         const bool flat_tip = tuft_.widest_at >= 100;
         const double whole = curve_.arc_length();
+        std::vector<double> along;
+        along.reserve(static_cast<std::size_t>(count));
         for (int i = 1; i <= count; ++i) {
             const double part = static_cast<double>(i) / (flat_tip ? count : count + 1);
-            rings_.push_back(ring_at(curve_.along_at(part, kTurnWorth * whole) / whole));
+            along.push_back(curve_.along_at(part, kTurnWorth * whole) / whole);
         }
+        rings_ = rings_at(along);
     }
 
     std::vector<Ring> take() { return std::move(rings_); }
 
   private:
-    Ring ring_at(double along) const {
-        Ring ring{curve_.at(along * curve_.arc_length()), along, 0, 0};
-        const double width = half_diameter_ * profile_width(tuft_.taper, along, tuft_.widest_at / 100);
-        ring.half_width = width;
-        ring.half_thickness = tuft_.section == Section::kEllipse ? width * (1 - tuft_.flatness) : width;
-        const auto turn = elementary::sincos((tuft_.roll_deg + tuft_.twist_deg * along) * kRadiansPerDegree);
-        ring.frame.normal = turn.cos * ring.frame.normal + turn.sin * ring.frame.binormal();
-        return ring;
+    std::vector<Ring> rings_at(std::span<const double> along) const {
+        std::vector<double> widths(along.size()), places(along.begin(), along.end());
+        for (double& place : places) place *= curve_.arc_length();
+        std::vector<CurveFrame> frames(along.size());
+        curve_.at(places, frames);
+        profile_widths(tuft_.taper, along, tuft_.widest_at / 100, widths, vectors_);
+        std::vector<Ring> rings(along.size());
+        for (std::size_t i = 0; i < along.size(); ++i) rings[i] = ring(frames[i], along[i], half_diameter_ * widths[i]);
+        if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
+        return rings;
     }
 
-    /// Keeps the rings strictly between `a` and `b`.
-    bool halve(const Ring& a, const Ring& b, int halvings) {
-        const Ring middle = ring_at((a.along + b.along) / 2);
-        if (halvings >= kDeepestHalving || is_fine(a, middle, b)) return true;
-        return halve(a, middle, halvings + 1) && keep(middle) && halve(middle, b, halvings + 1);
+    Ring ring(const CurveFrame& frame, double along, double width) const {
+        return {frame, along, width, tuft_.section == Section::kEllipse ? width * (1 - tuft_.flatness) : width};
     }
 
-    bool keep(const Ring& ring) {
-        rings_.push_back(ring);
-        return rings_.size() <= most_;
+    /// From the root to the widest place, and on to the tip. Keeps the ring where they meet.
+    std::vector<Piece> first_pieces() {
+        const double widest = tuft_.widest_at / 100;
+        if (widest >= 1) {
+            const std::vector<Ring> rings = rings_at(std::array{0.0, 0.5, 1.0});
+            rings_.push_back(rings[2]);
+            return {{rings[0], rings[1], rings[2]}};
+        }
+        const std::vector<Ring> rings = rings_at(std::array{0.0, widest / 2, widest, (widest + 1) / 2, 1.0});
+        rings_.push_back(rings[2]);
+        return {{rings[0], rings[1], rings[2]}, {rings[2], rings[3], rings[4]}};
     }
 
-    /// Whether the straight piece from `a` to `b` is as good as the curve between them.
-    bool is_fine(const Ring& a, const Ring& middle, const Ring& b) const {
+    /// The rings a quarter and three quarters of the way along each piece.
+    std::vector<Ring> quarters_of(const std::vector<Piece>& pieces) const {
+        std::vector<double> along;
+        along.reserve(2 * pieces.size());
+        for (const Piece& piece : pieces) {
+            along.push_back((piece.from.along + piece.middle.along) / 2);
+            along.push_back((piece.middle.along + piece.to.along) / 2);
+        }
+        return rings_at(along);
+    }
+
+    /// Whether the straight piece is as good as the curve between its ends. @param first, last  its quarters
+    bool is_fine(const Piece& piece, const Ring& first, const Ring& last) const {
+        const auto& [a, middle, b] = piece;
         const double step = b.along - a.along;
         if (step * kRingsPerBone * tuft_.joints > 1) return false;
         const double turn =
@@ -82,8 +132,8 @@ class RingChooser {
         const double side_error = widest * (turn * turn + twist * twist) / 8;  // sagitta of an arc
         const double allowed = kLookedAt * detail_.tolerance - side_error;
         // An S crosses its chord in the middle, so the quarters are looked at too.
-        return error_at(a, middle, b, 0.5) <= allowed && error_at(a, ring_at(a.along + step / 4), b, 0.25) <= allowed &&
-               error_at(a, ring_at(b.along - step / 4), b, 0.75) <= allowed;
+        return error_at(a, middle, b, 0.5) <= allowed && error_at(a, first, b, 0.25) <= allowed &&
+               error_at(a, last, b, 0.75) <= allowed;
     }
 
     /// How far `ring` lies from the straight piece, `part` of the way from `a` to `b`, and how much it differs in
@@ -98,15 +148,15 @@ class RingChooser {
     const Tuft& tuft_;
     const double half_diameter_;
     const MeshDetail& detail_;
-    std::size_t most_ = 0;
+    const Vectors vectors_;
     std::vector<Ring> rings_;
 };
 
 }  // namespace
 
 Result<std::vector<Ring>> choose_rings(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail,
-                                       const Limits& limits) {
-    RingChooser chooser(curve, tuft, diameter, detail);
+                                       const Limits& limits, Vectors vectors) {
+    RingChooser chooser(curve, tuft, diameter, detail, vectors);
     if (detail.rings) {
         chooser.by_count(*detail.rings);
         return chooser.take();

@@ -71,15 +71,23 @@ Check check_chains(std::span<const Chain> chains, const Limits& limits) {
 }
 
 Chain chain_along(const Curve& curve, int joints) {
-    Chain chain;
     const double bone = curve.arc_length() / joints;
-    for (int i = 0; i <= joints; ++i) chain.nodes.push_back(curve.at(i * bone).point);
+    const auto bones = static_cast<std::size_t>(joints);
+    std::vector<double> along;  // nodes and, between them, the middles of the bones
+    along.reserve(2 * bones + 1);
+    for (int i = 0; i < joints; ++i) along.insert(along.end(), {i * bone, (i + 0.5) * bone});
+    along.push_back(joints * bone);
+    std::vector<CurveFrame> frames(along.size());
+    curve.at(along, frames);
 
+    Chain chain;
+    chain.nodes.reserve(bones + 1);
+    chain.rest_rotations.reserve(bones + 1);
+    for (std::size_t i = 0; i <= bones; ++i) chain.nodes.push_back(frames[2 * i].point);
     Quat parent;
-    for (int i = 0; i < joints; ++i) {
-        const auto node = static_cast<std::size_t>(i);
-        const CurveFrame middle = curve.at((i + 0.5) * bone);
-        const Vec3 chord = chain.nodes[node + 1] - chain.nodes[node];
+    for (std::size_t i = 0; i < bones; ++i) {
+        const CurveFrame& middle = frames[2 * i + 1];
+        const Vec3 chord = chain.nodes[i + 1] - chain.nodes[i];
         const Vec3 y_axis = length(chord) > 1e-6 * bone ? normalized(chord) : middle.tangent;
         const Vec3 upright = rejected(middle.normal, y_axis);
         const Vec3 z_axis = length(upright) > kSmallestSine ? normalized(upright) : any_perpendicular(y_axis);

@@ -50,15 +50,16 @@ Check check_detail(const MeshDetail& detail, const Limits& limits) {
     return detail.rings ? check_range(*detail.rings, limits.rings, "/rings") : Check{};
 }
 
-Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits) {
+Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
+                              Vectors vectors) {
     if (Check wrong = check_tuft(tuft, head, limits)) return *wrong;
     std::vector<Vec3> points{sunk_root(head, tuft.points.front())};
     points.insert(points.end(), tuft.points.begin(), tuft.points.end());
-    Curve curve(points);
+    Curve curve(points, vectors);
     curve.face_away_from(head.center);
 
     Result<std::vector<Ring>> rings =
-        choose_rings(curve, tuft, head.diameter_at_100 * tuft.diameter / 100, detail, limits);
+        choose_rings(curve, tuft, head.diameter_at_100 * tuft.diameter / 100, detail, limits, vectors);
     if (!rings) return rings.error();
 
     const CurveFrame root = curve.at(0), tip = curve.at(curve.arc_length());
@@ -72,7 +73,7 @@ Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDeta
                          detail.sides,
                          tuft.joints},
                         chain_along(curve, tuft.joints)};
-    planned.mesh.reach = unfolding_reach(planned.mesh.rings, detail.sides);
+    planned.mesh.reach = unfolding_reach(planned.mesh.rings, detail.sides, vectors);
     planned.chain.name = tuft.name;
     planned.chain.phase = tuft.phase;
     planned.chain.cycles = tuft.cycles;

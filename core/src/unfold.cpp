@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "bezier.hpp"
 #include "corners.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
 namespace {
@@ -22,92 +24,118 @@ struct Pair {
     Vec3 forwards;   // unit; the mean tangent, or the straight way where the tangents turn away from it
     double advance;  // of the centre along it, metres; 0 where the rings coincide
 
-    Pair(const Ring& a, const Ring& b) {
+    TUFTWAVE_BODY Pair(const Ring& a, const Ring& b) {
         const Vec3 step = b.frame.point - a.frame.point, tangents = a.frame.tangent + b.frame.tangent;
-        const Vec3 way = dot(step, tangents) > 0 ? tangents : step;
+        const Vec3 way = bezier::chosen(dot(step, tangents) > 0, tangents, step);
         const double size = length(way);
-        if (size > 0) forwards = way / size;
+        forwards = bezier::chosen(size > 0, way / size, {});
         advance = dot(step, forwards);
     }
 };
 
-/// False when no corner can fall back; quicker than looking at each.
-bool may_fold(std::span<const Ring> rings) {
-    for (std::size_t i = 1; i < rings.size(); ++i) {
-        const Pair pair(rings[i - 1], rings[i]);
-        double lost = 0;
-        for (const Ring* ring : {&rings[i - 1], &rings[i]}) {
-            lost +=
-                std::max(ring->half_width, ring->half_thickness) * length(rejected(pair.forwards, ring->frame.tangent));
-        }
-        if (!(lost <= (1 - kLeastAdvance) * pair.advance)) return true;
+/// What is known of all pairs of neighbouring rings before any corner is looked at.
+struct Spacing {
+    std::vector<double> distances;   // of the centres, metres
+    std::vector<std::size_t> folds;  // pairs where a corner may fall back; quicker than looking at each
+};
+
+TUFTWAVE_BODY double most_lost(const Ring& ring, const Vec3& forwards) {
+    const double widest = ring.half_width < ring.half_thickness ? ring.half_thickness : ring.half_width;
+    return widest * length(rejected(forwards, ring.frame.tangent));
+}
+
+TUFTWAVE_BODY void look_at_pairs(std::span<const Ring> rings, std::span<double> distances, std::span<double> folds) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const Pair pair(rings[i], rings[i + 1]);
+        distances[i] = length(rings[i + 1].frame.point - rings[i].frame.point);
+        const double lost = most_lost(rings[i], pair.forwards) + most_lost(rings[i + 1], pair.forwards);
+        folds[i] = lost <= (1 - kLeastAdvance) * pair.advance ? 0.0 : 1.0;
     }
-    return false;
+}
+
+Spacing spacing_of(std::span<const Ring> rings, Vectors vectors) {
+    Spacing spacing{std::vector<double>(rings.size() - 1), {}};
+    std::vector<double> folds(spacing.distances.size());
+    run_with<look_at_pairs>(vectors, rings, spacing.distances, folds);
+    for (std::size_t i = 0; i < folds.size(); ++i) {
+        if (folds[i] != 0) spacing.folds.push_back(i);
+    }
+    return spacing;
 }
 
 /// One corner of every ring, root to tip.
 class Column {
   public:
-    Column(std::span<const Ring> rings, const Corners& corners, std::size_t corner)
-        : rings_(rings), cut_(rings.size(), 0.0) {
-        for (const Ring& ring : rings) offsets_.push_back(corners.offset(ring, corner));
+    Column(std::span<const Ring> rings, const Spacing& spacing, const Corners& corners)
+        : rings_(rings), spacing_(spacing), corners_(corners), cut_(rings.size(), 0.0), bridged_(rings.size(), 0.0) {}
+
+    /// Decides how many metres are taken off the corner's distance from the centre line: from `first` to `end`.
+    void cut(std::size_t corner) {
+        corner_ = corner;
+        std::fill(cut_.begin() + at(first), cut_.begin() + at(end), 0.0);
+        first = end = 0;
+        for (const std::size_t pair : spacing_.folds) cut_pair(pair + 1);
+        if (end == 0) return;
+        bridge();
+        for (std::size_t i = first + 1; i < rings_.size() && (i < end || cut_[i - 1] > 0); ++i) fade(i - 1, i);
+        for (std::size_t i = end - 1; i > 0 && (i > first || cut_[i] > 0); --i) fade(i, i - 1);
     }
 
-    /// Decides how many metres are taken off each corner's distance.
-    void cut() {
-        for (std::size_t i = 1; i < rings_.size(); ++i) cut_pair(i);
-        bridge();
-        for (std::size_t i = 1; i < rings_.size(); ++i) fade(i - 1, i);
-        for (std::size_t i = rings_.size() - 1; i > 0; --i) fade(i, i - 1);
-    }
+    std::size_t first = 0, end = 0;  ///< the rings where the corner is cut
 
     double share_left(std::size_t ring) const {
-        const double size = length(offsets_[ring]);
+        if (!(cut_[ring] > 0)) return 1;
+        const double size = reach(ring);
         return size > 0 ? std::max(0.0, 1 - cut_[ring] / size) : 1;
     }
 
   private:
-    double step_length(std::size_t a, std::size_t b) const {
-        return length(rings_[b].frame.point - rings_[a].frame.point);
-    }
+    Vec3 offset(std::size_t ring) const { return corners_.offset(rings_[ring], corner_); }
+    double reach(std::size_t ring) const { return length(offset(ring)); }
 
     void cut_pair(std::size_t i) {
         const Pair pair(rings_[i - 1], rings_[i]);
         if (!(pair.advance > 0)) return cut_whole(i);
-        const double lost =
-            std::max(0.0, dot(offsets_[i - 1], pair.forwards)) + std::max(0.0, -dot(offsets_[i], pair.forwards));
+        const Vec3 before = offset(i - 1), here = offset(i);
+        const double lost = std::max(0.0, dot(before, pair.forwards)) + std::max(0.0, -dot(here, pair.forwards));
         const double allowed = (1 - kLeastAdvance) * pair.advance;
         if (lost <= allowed) return;
         for (const std::size_t ring : {i - 1, i}) {
-            cut_[ring] = std::max(cut_[ring], (1 - allowed / lost) * length(offsets_[ring]));
+            cut_[ring] = std::max(cut_[ring], (1 - allowed / lost) * reach(ring));
         }
+        include(i - 1, i + 1);
     }
 
     void cut_whole(std::size_t i) {
-        for (const std::size_t ring : {i - 1, i}) cut_[ring] = length(offsets_[ring]);
+        for (const std::size_t ring : {i - 1, i}) cut_[ring] = reach(ring);
+        include(i - 1, i + 1);
+    }
+
+    void include(std::size_t from, std::size_t to) {
+        first = end == 0 ? from : std::min(first, from);
+        end = std::max(end, to);
     }
 
     /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a
     /// fin: it stays cut as far as the lesser of the deepest cuts before and after.
     void bridge() {
-        std::vector<double> bridged = cut_;
-        for (std::size_t i = 0; i < cut_.size(); ++i) {
-            bridged[i] = std::max(cut_[i], std::min(deepest_cut(i, Towards::kRoot), deepest_cut(i, Towards::kTip)));
-        }
-        cut_ = std::move(bridged);
+        std::copy(cut_.begin() + at(first), cut_.begin() + at(end), bridged_.begin() + at(first));
+        for (std::size_t i = first; i < end; ++i)
+            bridged_[i] = std::max(cut_[i], std::min(deepest_cut(i, Towards::kRoot), deepest_cut(i, Towards::kTip)));
+        std::copy(bridged_.begin() + at(first), bridged_.begin() + at(end), cut_.begin() + at(first));
     }
 
     enum class Towards { kRoot, kTip };
 
     /// The deepest cut from ring `i` on, as far as the corner there is from the centre line.
-    double deepest_cut(std::size_t i, Towards end) const {
-        const double span = length(offsets_[i]);
-        const std::size_t rings_there = end == Towards::kTip ? cut_.size() - 1 - i : i;
+    double deepest_cut(std::size_t i, Towards side) const {
+        const double span = reach(i);
+        const std::size_t rings_there = side == Towards::kTip ? cut_.size() - 1 - i : i;
         double deepest = cut_[i], walked = 0;
         std::size_t at = i;
         for (std::size_t k = 0; k < std::min(rings_there, kBridgedRings); ++k) {
-            const std::size_t next = end == Towards::kTip ? at + 1 : at - 1;
-            walked += step_length(at, next);
+            const std::size_t next = side == Towards::kTip ? at + 1 : at - 1;
+            walked += spacing_.distances[std::min(at, next)];
             if (walked > span) break;
             deepest = std::max(deepest, cut_[next]);
             at = next;
@@ -116,24 +144,32 @@ class Column {
     }
 
     void fade(std::size_t from, std::size_t to) {
-        cut_[to] = std::max(cut_[to], cut_[from] - kFadeSlope * step_length(from, to));
+        const double faded = cut_[from] - kFadeSlope * spacing_.distances[std::min(from, to)];
+        if (!(faded > cut_[to])) return;
+        cut_[to] = faded;
+        include(to, to + 1);
     }
 
+    static std::ptrdiff_t at(std::size_t ring) { return static_cast<std::ptrdiff_t>(ring); }
+
     std::span<const Ring> rings_;
-    std::vector<Vec3> offsets_;
-    std::vector<double> cut_;
+    const Spacing& spacing_;
+    const Corners& corners_;
+    std::size_t corner_ = 0;
+    std::vector<double> cut_, bridged_;
 };
 
 }  // namespace
 
-std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides) {
-    if (!may_fold(rings)) return {};
+std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
+    const Spacing spacing = spacing_of(rings, vectors);
+    if (spacing.folds.empty()) return {};
     const Corners corners(sides);
     std::vector<float> reach(rings.size() * corners.count(), 1.0F);
+    Column column(rings, spacing, corners);
     for (std::size_t j = 0; j < corners.count(); ++j) {
-        Column column(rings, corners, j);
-        column.cut();
-        for (std::size_t i = 0; i < rings.size(); ++i)
+        column.cut(j);
+        for (std::size_t i = column.first; i < column.end; ++i)
             reach[i * corners.count() + j] = static_cast<float>(column.share_left(i));
     }
     return reach;

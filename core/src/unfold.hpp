@@ -11,6 +11,6 @@ namespace tuftwave {
 /// the tuft bends more tightly than it is thick.
 /// @return  rings x sides shares in [0, 1] of the corner's full distance; empty when all are 1
 /// Cost O(rings * sides).
-std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides);
+std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors);
 
 }  // namespace tuftwave

@@ -5,8 +5,14 @@
 #include <vector>
 
 #include "tuftwave/math.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
+
+struct PlaceSearch;
+namespace bezier {
+struct Hodograph;
+}
 
 /// A place on a curve: the point, the unit tangent, and a unit normal that does not spin about the tangent.
 struct CurveFrame {
@@ -24,13 +30,17 @@ class Curve {
     ///                nearer than that to the one before are merged into it
     /// Cost O(points). Thread-safe. Deterministic.
     /// Source: centripetal Catmull-Rom tangents (Yuksel et al. 2011); frames by double reflection (Wang et al. 2008).
-    explicit Curve(std::span<const Vec3> points);
+    /// @param vectors  which change nothing but the time
+    explicit Curve(std::span<const Vec3> points, Vectors vectors = widest_vectors());
 
     /// Arc length from the first point to the last, metres.
     double arc_length() const { return samples_.back().along; }
 
     /// The frame at arc length `along`, clamped to the curve.
     CurveFrame at(double along) const;
+
+    /// The frames at many arc lengths, as many in `out`; quickest where they rise.
+    void at(std::span<const double> along, std::span<CurveFrame> out) const;
 
     /// The angle the tangent turns through from the start up to `along`, radians, never falling.
     double turning_until(double along) const;
@@ -49,8 +59,7 @@ class Curve {
         Vec3 b0, b1, b2, b3;  // Bezier control points
 
         Vec3 point(double t) const;
-        Vec3 derivative(double t) const;
-        double arc(double t0, double t1) const;  // length between two parameters, by quadrature
+        bezier::Hodograph hodograph() const;
 
         /// The parameter in [t0, t1] with `wanted` metres between it and t0, of `whole` up to t1.
         double parameter(double t0, double t1, double wanted, double whole) const;
@@ -66,9 +75,12 @@ class Curve {
     void make_segments(std::span<const Vec3> points);
     void measure(std::size_t segment);
     void sample_up_to(std::size_t segment, double t, int halvings);
+    void add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent);
     Vec3 tangent_at(std::size_t segment, double t, const Vec3& otherwise) const;
-    std::size_t sample_before(double along) const;
+    std::size_t sample_before(double along, std::size_t guess) const;
+    void find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const;
 
+    Vectors vectors_;
     std::vector<Segment> segments_;
     std::vector<Sample> samples_;
 };

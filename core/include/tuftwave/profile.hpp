@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+
+#include "tuftwave/wide.hpp"
+
 namespace tuftwave {
 
 /// How the diameter grows from the root to the widest place and shrinks to the tip.
@@ -11,5 +15,9 @@ enum class Taper { kSine, kLinear, kSmooth, kRound };
 /// @return  0 at the root, 1 at the widest place, 0 at the tip (1 where widest_at is 1)
 /// Source: Shimosoyama, Yamamoto and Noma, section 3.2.
 double profile_width(Taper taper, double along, double widest_at);
+
+/// The same for many places at once. @param out  as many as `along`
+void profile_widths(Taper taper, std::span<const double> along, double widest_at, std::span<double> out,
+                    Vectors vectors = widest_vectors());
 
 }  // namespace tuftwave

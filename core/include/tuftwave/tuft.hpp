@@ -14,6 +14,7 @@
 #include "tuftwave/profile.hpp"
 #include "tuftwave/result.hpp"
 #include "tuftwave/skeleton.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
 
@@ -92,8 +93,10 @@ struct PlannedTuft {
 
 /// Measures a tuft and chooses its rings.
 /// @errors  those of check_tuft, too_many (rings)
+/// @param vectors  which change nothing but the time
 /// Cost O(points + rings). Thread-safe. Deterministic.
-Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits);
+Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
+                              Vectors vectors = widest_vectors());
 
 /// Where a tuft's vertices go. Each span holds vertex_count() times its width; triangles are counter-clockwise from
 /// outside.
@@ -101,14 +104,14 @@ struct MeshSpans {
     std::span<float> positions;       ///< 3 per vertex, metres
     std::span<float> normals;         ///< 3 per vertex, unit, outward
     std::span<float> uvs;             ///< 2 per vertex: u around 0..1, v along the arc length 0..1
-    std::span<std::uint16_t> joints;  ///< 4 per vertex: bones of the chain, plus first_joint
-    std::span<float> weights;         ///< 4 per vertex, sum 1
+    std::span<std::uint16_t> joints;  ///< 4 per vertex: bones of the chain, plus first_joint; or empty
+    std::span<float> weights;         ///< 4 per vertex, sum 1; or empty
     std::uint16_t first_joint = 0;
 };
 
 /// Writes a planned tuft's vertices: closed, outward, finite.
 /// Cost O(vertices). Thread-safe for disjoint spans. Deterministic.
-void write_vertices(const MeshPlan& plan, const MeshSpans& out);
+void write_vertices(const MeshPlan& plan, const MeshSpans& out, Vectors vectors = widest_vectors());
 
 /// Writes a planned tuft's triangles. @param first_vertex  added to every index
 void write_indices(const MeshPlan& plan, std::span<std::uint16_t> out, std::uint32_t first_vertex = 0);
@@ -122,6 +125,6 @@ struct Mesh {
 };
 
 /// A planned tuft as a mesh of its own.
-Mesh to_mesh(const MeshPlan& plan);
+Mesh to_mesh(const MeshPlan& plan, Vectors vectors = widest_vectors());
 
 }  // namespace tuftwave

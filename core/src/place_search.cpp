@@ -1,0 +1,82 @@
+// Based on: E. Halley's and P. Chebyshev's methods of the third order for roots.
+#include "place_search.hpp"
+
+#include <algorithm>
+
+#include "bezier.hpp"
+
+namespace tuftwave {
+namespace {
+
+/// A step of the third order from further away than this share of the piece leaves more than 1e-14 of it.
+constexpr double kFurthest = 2e-5;
+
+TUFTWAVE_BODY bezier::Hodograph hodograph(const PlaceSearch& s, std::size_t k) {
+    return {s.b1[k] - s.b0[k], s.b2[k] - s.b1[k], s.b3[k] - s.b2[k]};
+}
+
+/// By Hermite's cubic through both ends of the piece, where the speed is known.
+TUFTWAVE_BODY void guess(PlaceSearch& s, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const bezier::Hodograph curve = hodograph(s, k);
+        const double step = s.t1[k] - s.t0[k];
+        const double share = s.wanted[k] / s.whole[k];
+        const double x = share < kArcTolerance ? 0 : (share > 1 - kArcTolerance ? 1 : share), rest = 1 - x;
+        const double at_start = s.whole[k] / (step * curve.speed(s.t0[k]));
+        const double at_end = s.whole[k] / (step * curve.speed(s.t1[k]));
+        const double cubic = x * x * (3 - 2 * x) + at_start * x * rest * rest - at_end * x * x * rest;
+        const double bounded = cubic < 1 ? cubic : x;
+        s.t[k] = s.t0[k] + (cubic > 0 ? bounded : x) * step;
+    }
+}
+
+/// One of Chebyshev's steps.
+TUFTWAVE_BODY void approach(PlaceSearch& s, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const bezier::Hodograph curve = hodograph(s, k);
+        const double t = s.t[k], step = s.t1[k] - s.t0[k];
+        const Vec3 velocity = curve.derivative(t);
+        const double square = dot(velocity, velocity), speed = std::sqrt(square);
+        const Vec3 bend = 6 * ((1 - t) * (curve.second - curve.first) + t * (curve.third - curve.second));
+        const double beyond = curve.arc(s.t0[k], t) - s.wanted[k];
+        const double part = beyond / speed;
+        const double next = t - part * (1 + 0.5 * part * dot(velocity, bend) / square);
+        const double above = next > s.t0[k] ? next : s.t0[k];
+        const double inside = above < s.t1[k] ? above : s.t1[k];
+        s.t[k] = std::abs(beyond) <= kArcTolerance * s.whole[k] ? t : inside;  // a sample's own place stays its own
+        s.missed[k] = std::abs(part) <= kFurthest * step ? 0.0 : 1.0;
+    }
+}
+
+TUFTWAVE_BODY void frames(PlaceSearch& s, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const CurveFrame from{s.point[k], s.tangent[k], s.normal[k]};
+        const Vec3 point = bezier::point(s.b0[k], s.b1[k], s.b2[k], s.b3[k], s.t[k]);
+        const Vec3 velocity = hodograph(s, k).derivative(s.t[k]);
+        const double speed = length(velocity);
+        const Vec3 tangent = bezier::chosen(speed > 0, velocity / speed, from.tangent);
+        const Vec3 normal = bezier::carried_normal(from, point, tangent);
+        const double size = length(normal);
+        s.point.set(k, point);
+        s.tangent.set(k, tangent);
+        s.normal.set(k, normal / size);
+        s.normal_size[k] = size > bezier::kLeastNormal ? size : 0.0;
+    }
+}
+
+bool any_missed(const PlaceSearch& s, std::size_t count) {
+    return std::find(s.missed.begin(), s.missed.begin() + static_cast<std::ptrdiff_t>(count), 1.0) !=
+           s.missed.begin() + static_cast<std::ptrdiff_t>(count);
+}
+
+}  // namespace
+
+void PlaceSearch::find_parameters(std::size_t count, Vectors vectors) {
+    run_with<guess>(vectors, *this, count);
+    run_with<approach>(vectors, *this, count);
+    if (any_missed(*this, count)) run_with<approach>(vectors, *this, count);
+}
+
+void PlaceSearch::find_frames(std::size_t count, Vectors vectors) { run_with<frames>(vectors, *this, count); }
+
+}  // namespace tuftwave

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tuftwave/curve.hpp"
+#include "tuftwave/math.hpp"
+#include "tuftwave/wide.hpp"
+
+namespace tuftwave {
+
+/// How far from the wanted length a place may be, as a share of its piece: a nanometre on a kilometre.
+inline constexpr double kArcTolerance = 1e-12;
+
+/// As many vectors as a search has places, axis by axis.
+template <std::size_t kCount>
+struct VectorRows {
+    alignas(64) std::array<double, kCount> x, y, z;
+
+    TUFTWAVE_BODY Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+    TUFTWAVE_BODY void set(std::size_t i, const Vec3& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+    }
+};
+
+/// Places that are looked for on a curve by their arc length, all at once. Each lies on a piece of a Bezier segment,
+/// at whose start the frame is known.
+struct PlaceSearch {
+    static constexpr std::size_t kMost = 64;
+    using Rows = VectorRows<kMost>;
+    using Row = std::array<double, kMost>;
+
+    Rows b0, b1, b2, b3;            ///< the segment's control points
+    alignas(64) Row t0, t1;         ///< where the piece starts and ends
+    alignas(64) Row wanted, whole;  ///< metres from its start to the place, and to its end
+    Rows point, tangent, normal;    ///< the frame at its start; found_frames() replaces it by the place's
+    alignas(64) Row t;              ///< found: the parameter
+    alignas(64) Row missed;         ///< found: 0 where t is as exact as doubles are, 1 where it may not be
+    alignas(64) Row normal_size;    ///< found: 0 where the frame has no normal
+
+    /// Finds `t` of the first `count` places from guesses by cubic interpolation, in one or two steps of the third
+    /// order.
+    void find_parameters(std::size_t count, Vectors vectors);
+
+    /// Replaces each frame by that of its place, at `t`.
+    void find_frames(std::size_t count, Vectors vectors);
+};
+
+}  // namespace tuftwave
