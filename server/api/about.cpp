@@ -122,8 +122,9 @@ constexpr std::string_view kPlainPage = R"(<!doctype html>
 </html>
 )";
 
+/// @param body  lives as long as the program
 Response page(std::string_view type, std::string_view body) {
-    return {200, std::string(type), std::string(body), {{"Cache-Control", "no-cache"}}};
+    return {200, std::string(type), "", {{"Cache-Control", "no-cache"}}, body};
 }
 
 struct File {
@@ -148,8 +149,8 @@ Answer get_limits(const Request&, const Context& context) {
 }
 
 Answer get_version(const Request&, const Context&) {
-    return Response{
-        200, "application/json", Json{{"name", "tuftwave"}, {"version", kVersion}, {"api", "v1"}}.dump(), {}};
+    static const std::string text = Json{{"name", "tuftwave"}, {"version", kVersion}, {"api", "v1"}}.dump();
+    return Response{200, "application/json", "", {}, text};
 }
 
 Answer get_openapi(const Request&, const Context&) {

@@ -5,6 +5,10 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
 
 namespace tuftwave::server {
 namespace {
@@ -12,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "or replicas would give different tags");
 
 /// A hash of the exact bytes, as FNV-1a but eight at a time, since a page's files are large.
-std::string entity_tag(const std::string& body) {
+std::string entity_tag(const std::string_view body) {
     std::uint64_t hash = 0xcbf29ce484222325;
     const auto take = [&hash](const std::uint64_t word) {
         hash = (hash ^ word) * 0x100000001b3;
@@ -29,15 +33,26 @@ std::string entity_tag(const std::string& body) {
     return "\"" + std::string(digits, end) + "\"";
 }
 
+/// By where the bytes are, since they stay there: there are as many as the program has files.
+const std::string& tag_of_constant(const std::string_view constant) {
+    static std::mutex mutex;
+    static std::map<std::pair<const char*, std::size_t>, std::string> tags;
+    const std::lock_guard lock(mutex);
+    std::string& tag = tags[{constant.data(), constant.size()}];
+    if (tag.empty()) tag = entity_tag(constant);
+    return tag;
+}
+
 }  // namespace
 
 Response with_entity_tag(Response response, const Request& request) {
-    const std::string tag = entity_tag(response.body);
+    const std::string tag = response.constant.empty() ? entity_tag(response.body) : tag_of_constant(response.constant);
     const std::string& if_none_match = request.header("if-none-match");
     response.headers.emplace_back("ETag", tag);
     if (if_none_match.find(tag) != std::string::npos || if_none_match == "*") {
         response.status = 304;
         response.body.clear();
+        response.constant = {};
     }
     return response;
 }

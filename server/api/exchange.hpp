@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,11 @@ struct Response {
     int status = 200;
     std::string content_type;
     std::string body;
-    NameValues headers;  ///< besides Content-Type and Content-Length
+    NameValues headers;            ///< besides Content-Type and Content-Length
+    std::string_view constant{};  ///< in place of `body`: bytes that live as long as the program, sent without a copy
+
+    /// The body, whoever holds it.
+    std::string_view content() const { return constant.empty() ? std::string_view(body) : constant; }
 };
 
 }  // namespace tuftwave::server

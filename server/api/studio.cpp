@@ -43,7 +43,7 @@ std::string_view type_of(const std::string_view name) {
 std::optional<Response> studio_file(const std::string_view name, const Request& request, FindAsset find) {
     const auto content = find("studio/" + std::string(name));
     if (!content) return {};
-    Response response{200, std::string(type_of(name)), std::string(*content), {{"Cache-Control", "no-cache"}}};
+    Response response{200, std::string(type_of(name)), "", {{"Cache-Control", "no-cache"}}, *content};
     if (name.ends_with(".html")) response.headers.emplace_back("Content-Security-Policy", kContentSecurityPolicy);
     return with_entity_tag(std::move(response), request);
 }

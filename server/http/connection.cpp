@@ -45,9 +45,9 @@ Connection::Sent Connection::send() {
         if (turn >= kMostAtOnce) return Sent::kSome;
         const std::string_view head = std::string_view(message_.head).substr(std::min(sent_, message_.head.size()));
         const std::size_t body_sent = sent_ - (message_.head.size() - head.size());
-        const std::size_t part = std::min(message_.body.size() - body_sent, kMostAtOnce);
+        const std::string_view body = message_.content().substr(body_sent, kMostAtOnce);
         std::array<iovec, 2> pieces{iovec{const_cast<char*>(head.data()), head.size()},
-                                    iovec{message_.body.data() + body_sent, part}};
+                                    iovec{const_cast<char*>(body.data()), body.size()}};
         msghdr all{};
         all.msg_iov = pieces.data();
         all.msg_iovlen = pieces.size();

@@ -62,8 +62,8 @@ class Connection {
 
     /// @param closes  whether the connection is over behind this answer
     void begin_writing(Message message, bool closes);
-    /// Bytes of the answer that is being written: all of it stays until its last byte is sent.
-    std::size_t held() const { return message_.size(); }
+    /// Memory of the answer that is being written: all of it stays until its last byte is sent.
+    std::size_t held() const { return message_.memory(); }
     std::size_t unsent() const { return message_.size() - sent_; }
     bool closes() const { return closes_; }
     /// Writes what the socket takes, a part of what is there. On kAll it reads again.

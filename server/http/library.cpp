@@ -74,6 +74,10 @@ void finish(httplib::Response& to) {
     to.set_header("X-Content-Type-Options", "nosniff");
     to.headers.erase("Accept-Ranges");  // the library claims it for HEAD
     to.headers.erase("Keep-Alive");
+    if (const std::string_view constant = wording->answer.constant; !constant.empty()) {
+        to.headers.erase("Content-Length");  // of the body that it did not see
+        to.set_header("Content-Length", std::to_string(constant.size()));
+    }
     if (to.status == 204 || to.status == 304) to.headers.erase("Content-Length");
     if (wording->closes) {
         to.headers.erase("Connection");
@@ -116,7 +120,8 @@ Message Library::message(const std::string& method, Response answer, const bool 
         throw;
     }
     wording = nullptr;
-    return {std::move(stream.written), method == "HEAD" ? std::string() : std::move(mine.body)};
+    if (method == "HEAD") return {std::move(stream.written), "", {}};
+    return {std::move(stream.written), std::move(mine.body), mine.answer.constant};
 }
 
 }  // namespace tuftwave::server

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "api/exchange.hpp"
 
@@ -11,8 +12,11 @@ namespace tuftwave::server {
 /// An answer as it goes over the wire. The body is apart, so that a large one is never copied.
 struct Message {
     std::string head, body;
+    std::string_view constant{};  ///< in place of `body`, as in Response
 
-    std::size_t size() const { return head.size() + body.size(); }
+    std::string_view content() const { return constant.empty() ? std::string_view(body) : constant; }
+    std::size_t size() const { return head.size() + content().size(); }
+    std::size_t memory() const { return head.size() + body.size(); }
 };
 
 /// The HTTP library. It is shown one complete request over a stream in memory, and words the answer. Nothing that a

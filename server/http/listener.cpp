@@ -258,7 +258,7 @@ class Listener::Loop {
 
     void deliver(Connection& connection, Letter& letter) {
         if (connection.is_gone || letter.message.head.empty()) return forget(connection);
-        const std::size_t size = letter.message.size();
+        const std::size_t size = letter.message.memory();
         const bool is_too_much =
             size > kFreeBytes && answer_bytes_ > 0 && answer_bytes_ + size > options_.answer_memory;
         const bool is_open =
@@ -284,7 +284,7 @@ class Listener::Loop {
 
     bool send(Connection& connection, Message message, const bool closes) {
         charge(connection, 0);
-        answer_bytes_ += message.size();
+        answer_bytes_ += message.memory();
         connection.begin_writing(std::move(message), closes);
         return write(connection);
     }

@@ -143,9 +143,9 @@ Response Service::conclude(const Request& request, Answer made, const Record& re
     response.headers.emplace_back("Request-Id", id);
     access_.add_headers(request, response);
     metrics_.count_request(record.route, method_label(request.method), response.status, record.total_seconds,
-                           response.body.size());
+                           response.content().size());
     log_.request({id, request.method, record.route, response.status, record.queue_seconds * 1e3,
-                  record.core_seconds * 1e3, record.total_seconds * 1e3, record.bytes_in, response.body.size()});
+                  record.core_seconds * 1e3, record.total_seconds * 1e3, record.bytes_in, response.content().size()});
     return response;
 }
 

@@ -70,7 +70,7 @@ void expect_same(const Answer& wanted, const Answer& got) {
     ASSERT_NE(b, nullptr) << "a problem: " << std::get<Problem>(got).detail;
     ASSERT_EQ(a.status, b->status);
     ASSERT_EQ(a.content_type, b->content_type);
-    ASSERT_TRUE(a.body == b->body) << "other bytes";
+    ASSERT_TRUE(a.content() == b->content()) << "other bytes";
     ASSERT_EQ(a.headers, b->headers);
 }
 

@@ -29,6 +29,18 @@ TEST(EntityTag, TellsEveryByteAndEveryLengthApart) {
     EXPECT_EQ(tag_of("hair"), tag_of("hair"));
 }
 
+TEST(EntityTag, BytesOfTheProgramHaveTheTagOfTheirContent) {
+    static constexpr std::string_view kConstant = "hair, and more";
+    for (const std::size_t length : {kConstant.size(), std::size_t{4}, kConstant.size()}) {
+        const std::string_view part = kConstant.substr(0, length);
+        const Response answer = with_entity_tag({200, "text/plain", "", {}, part}, {"GET", "/", {}, {}, ""});
+        EXPECT_EQ(answer.headers.at(0).second, tag_of(std::string(part)));
+        EXPECT_EQ(answer.content().data(), part.data());
+        const Request again{"GET", "/", {}, {{"if-none-match", answer.headers.at(0).second}}, ""};
+        EXPECT_EQ(with_entity_tag({200, "text/plain", "", {}, part}, again).content(), "");
+    }
+}
+
 TEST(EntityTag, WhoHasItIsToldSo) {
     const std::string tag = tag_of("hair");
     for (const std::string& known : {tag, "\"other\", " + tag, std::string("*")}) {

@@ -25,6 +25,19 @@ TEST(Library, DoesNotCopyTheBody) {
     EXPECT_EQ(Library().message("GET", {200, "model/gltf-binary", std::move(body), {}}, false).body.data(), place);
 }
 
+TEST(Library, BytesOfTheProgramStayWhereTheyAre) {
+    static constexpr std::string_view kPage = "<!doctype html>";
+    const Message message = Library().message("GET", {200, "text/html", "", {}, kPage}, false);
+    EXPECT_TRUE(has(message.head, "Content-Length: 15\r\n")) << message.head;
+    EXPECT_FALSE(has(message.head, "Content-Length: 0")) << message.head;
+    EXPECT_EQ(message.content().data(), kPage.data());
+    EXPECT_EQ(message.size(), message.head.size() + kPage.size());
+    EXPECT_EQ(message.memory(), message.head.size());
+    const Message head = Library().message("HEAD", {200, "text/html", "", {}, kPage}, false);
+    EXPECT_TRUE(has(head.head, "Content-Length: 15\r\n")) << head.head;
+    EXPECT_EQ(head.content(), "");
+}
+
 TEST(Library, HeadHasTheLengthOfTheBodyAndNoBody) {
     const Message message = Library().message("HEAD", {200, "application/json", std::string(5'000, ' '), {}}, false);
     EXPECT_TRUE(has(message.head, "Content-Length: 5000\r\n")) << message.head;

@@ -45,8 +45,8 @@ TEST(Studio, RootIsItsPageWhereItWasBuiltIn) {
     const auto& response = std::get<Response>(answer);
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, "text/html; charset=utf-8");
-    EXPECT_EQ(response.body, kPage);
-    EXPECT_EQ(std::get<Response>(file("index.html")).body, kPage);
+    EXPECT_EQ(response.content(), kPage);
+    EXPECT_EQ(std::get<Response>(file("index.html")).content(), kPage);
 }
 
 TEST(Studio, RootIsThePageOfDocsWhereItWasNot) {
@@ -55,7 +55,7 @@ TEST(Studio, RootIsThePageOfDocsWhereItWasNot) {
     const auto& response = std::get<Response>(answer);
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, docs.content_type);
-    EXPECT_EQ(response.body, docs.body);
+    EXPECT_EQ(response.content(), docs.content());
     EXPECT_EQ(header_of(answer, "Cache-Control"), "no-cache");
     EXPECT_NE(header_of(answer, "ETag"), "");
 }
@@ -87,7 +87,7 @@ TEST(Studio, WhoeverHasAFileGetsNoBody) {
         for (const std::string& had : {tag, "\"0\", " + tag, std::string("*")}) {
             const Answer answer = file(name, {{"if-none-match", had}});
             EXPECT_EQ(std::get<Response>(answer).status, 304) << had;
-            EXPECT_EQ(std::get<Response>(answer).body, "") << had;
+            EXPECT_EQ(std::get<Response>(answer).content(), "") << had;
             EXPECT_EQ(header_of(answer, "ETag"), tag);
         }
         EXPECT_EQ(std::get<Response>(file(name, {{"if-none-match", "\"0\""}})).status, 200);
@@ -126,11 +126,11 @@ TEST(Studio, RoutesServeWhatWasBuiltIn) {
         const Answer at_root = answer_to({method, "/", {}, {}, ""});
         const Answer at_file = answer_to({method, "/studio/index.html", {}, {}, ""});
         if (page) {
-            EXPECT_EQ(std::get<Response>(at_root).body, *page);
-            EXPECT_EQ(std::get<Response>(at_file).body, *page);
+            EXPECT_EQ(std::get<Response>(at_root).content(), *page);
+            EXPECT_EQ(std::get<Response>(at_file).content(), *page);
         } else {
-            EXPECT_EQ(std::get<Response>(at_root).body,
-                      std::get<Response>(answer_to({"GET", "/docs", {}, {}, ""})).body);
+            EXPECT_EQ(std::get<Response>(at_root).content(),
+                      std::get<Response>(answer_to({"GET", "/docs", {}, {}, ""})).content());
             EXPECT_EQ(slug_of(at_file), "not_found");
         }
     }
