@@ -26,7 +26,7 @@ struct Response {
     int status = 200;
     std::string content_type;
     std::string body;
-    NameValues headers;            ///< besides Content-Type and Content-Length
+    NameValues headers;           ///< besides Content-Type and Content-Length
     std::string_view constant{};  ///< in place of `body`: bytes that live as long as the program, sent without a copy
 
     /// The body, whoever holds it.

@@ -20,14 +20,14 @@ namespace tuftwave::server {
 namespace {
 
 constexpr std::array<Route, 17> kRoutes{{
-    {"POST", "/v1/tufts", post_tufts, true},
+    {"POST", "/v1/tufts", post_tufts, true, false, true},
     {"POST", "/v1/fills", post_fills, true},
     {"POST", "/v1/hairstyles", post_hairstyles, true},
     {"POST", "/v1/motions", post_motions, true},
     {"POST", "/v1/characters/chains", post_character_chains, true, true},
     {"POST", "/v1/characters/motion", post_character_motion, true, true},
     {"GET", "/v1/schedules", get_schedules, false},
-    {"POST", "/v1/schedules", post_schedules, true},
+    {"POST", "/v1/schedules", post_schedules, true, false, true},
     {"POST", "/v1/evaluations", post_evaluations, true},
     {"POST", "/v1/fits", post_fits, true},
     {"GET", "/v1/limits", get_limits, false},

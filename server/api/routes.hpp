@@ -13,8 +13,9 @@ namespace tuftwave::server {
 struct Route {
     std::string_view method, path;  ///< a path may end in "{file}", which stands for one segment
     Operation run;
-    bool computes;            ///< takes a worker; the others answer at once on the connection's own thread
-    bool takes_file = false;  ///< its body is a file, not JSON, and may be larger
+    bool computes;              ///< takes a worker; the others answer at once on the connection's own thread
+    bool takes_file = false;    ///< its body is a file, not JSON, and may be larger
+    bool may_be_small = false;  ///< small limits on counts bound its time, too: no search, no solver, no head to read
 };
 
 /// The one table of routes.

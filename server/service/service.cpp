@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "memory/reserve.hpp"
+#include "service/small_work.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -53,7 +54,8 @@ Problem http_problem(int status) {
 }  // namespace
 
 Service::Service(const Config& config, Access& access, Pool& pool, Log& log)
-    : access_(access),
+    : small_limits_(small_limits(limits_)),
+      access_(access),
       pool_(pool),
       log_(log),
       deadlines_(std::chrono::duration<double>(config.deadline_seconds)),
@@ -83,14 +85,23 @@ std::variant<Admission, Response> Service::admit(const Request& head) {
 
 void Service::answer(const Route& route, const Visitor& visitor, Request request, std::stop_source stop,
                      const Reply& reply) {
-    if (route.computes) return compute(route, visitor, std::move(request), std::move(stop), reply);
+    std::optional<Response> made;
+    if (!route.computes) made = answer_at_once(route, visitor, request, limits_);
+    if (may_be_small(route, request)) made = answer_at_once(route, visitor, request, small_limits_);
+    if (made) return reply(*std::move(made));
+    compute(route, visitor, std::move(request), std::move(stop), reply);
+}
+
+std::optional<Response> Service::answer_at_once(const Route& route, const Visitor& visitor, const Request& request,
+                                                const Limits& limits) {
     const Metrics::InFlight in_flight(metrics_);
     Record record{std::string(route.path), request.body.size()};
     const auto begin = Clock::now();
-    Answer made = run(route, request, {}, InOrder());
+    Answer made = run(route, request, {limits, InOrder(), {}});
+    if (route.computes && std::holds_alternative<Problem>(made)) return {};  // perhaps of the smaller limits only
     record.core_seconds = record.total_seconds = seconds_between(begin, Clock::now());
     access_.charge(visitor, record.core_seconds, record.bytes_in);
-    reply(conclude(request, std::move(made), record));
+    return conclude(request, std::move(made), record);
 }
 
 /// All that a computation needs, from its acceptance to its answer.
@@ -121,7 +132,7 @@ void Service::compute(const Route& route, const Visitor& visitor, Request reques
     const bool is_accepted = pool_.submit([this, order] {
         if (!order->computation.start()) return;
         const std::stop_token token = order->computation.stop_token();
-        order->computation.finish(run(order->route, order->request, token, pool_.for_each()));
+        order->computation.finish(run(order->route, order->request, {limits_, pool_.for_each(), token}));
     });
     if (!is_accepted && order->computation.start()) order->computation.finish(busy());
 }
@@ -149,12 +160,12 @@ Response Service::conclude(const Request& request, Answer made, const Record& re
     return response;
 }
 
-Answer Service::run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const {
+Answer Service::run(const Route& route, const Request& request, const Context& context) const {
     try {
-        if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
+        if (context.stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
         memory::hold_reserve();
-        Answer made = route.run(request, {limits_, for_each, stop});
-        if (stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
+        Answer made = route.run(request, context);
+        if (context.stop.stop_requested()) return Problem{ProblemCode::kDeadline, "", {}, {}};
         return made;
     } catch (const std::bad_alloc&) {
         return busy();

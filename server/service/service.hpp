@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <variant>
@@ -57,13 +58,16 @@ class Service {
     void answer(const Route& route, const Visitor& visitor, Request request, std::stop_source stop, const Reply& reply);
     void compute(const Route& route, const Visitor& visitor, Request request, std::stop_source stop,
                  const Reply& reply);
-    Answer run(const Route& route, const Request& request, std::stop_token stop, const ForEach& for_each) const;
+    /// What needs no worker. @return  nothing if it was more than that
+    std::optional<Response> answer_at_once(const Route& route, const Visitor& visitor, const Request& request,
+                                           const Limits& limits);
+    Answer run(const Route& route, const Request& request, const Context& context) const;
     /// Every answer goes through here, on its way out: it gets its number, is counted and logged.
     Response conclude(const Request& request, Answer made, const Record& record);
     Response conclude(const Order& order, Computation::Outcome outcome);
     std::string next_id();
 
-    const Limits limits_;
+    const Limits limits_, small_limits_;
     Access& access_;
     Pool& pool_;
     Log& log_;

@@ -30,6 +30,12 @@ struct ServiceTest : testing::Test {
     std::string admin(const std::string& path) { return admin_answer(path).body; }
 };
 
+nlohmann::json small_tufts() {
+    nlohmann::json body = small_hairstyle();
+    body.erase("motion");
+    return body;
+}
+
 /// What a client gets for a request, once it has come.
 Response ask(Service& service, const Request& request, std::stop_source stop = {}) {
     Request head = request;
@@ -100,6 +106,32 @@ TEST_F(ServiceTest, AFullQueueSaysWhenToComeBack) {
     EXPECT_EQ(admin("/readyz"), "full\n");
     EXPECT_EQ(admin_answer("/readyz").status, 200) << "or all replicas would be taken out when all are full";
     EXPECT_EQ(ask(service, {"GET", "/v1/version", {}, {}, ""}).status, 200);  // needs no worker
+}
+
+TEST_F(ServiceTest, SmallWorkNeedsNoWorkerAndGivesTheSameBytes) {
+    const Request small = json_post("/v1/tufts", small_tufts().dump());
+    const auto whole = std::get<Response>(answer_to(small));
+    const BusyWorker busy(pool);
+    ASSERT_TRUE(pool.submit([] {}));
+    const Response response = ask(service, small);
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(response.body, whole.body);
+    EXPECT_EQ(ask(service, json_post("/v1/schedules", "{}")).status, 200);
+}
+
+TEST_F(ServiceTest, ASmallBodyThatAsksForMuchNeedsAWorker) {
+    const BusyWorker busy(pool);
+    ASSERT_TRUE(pool.submit([] {}));
+    nlohmann::json rings = small_tufts(), fine = small_tufts(), many = small_tufts();
+    rings["mesh"] = {{"rings", 4'096}};
+    fine["mesh"] = {{"tolerance", 1e-5}};
+    for (int i = 0; i < 5; ++i) many["tufts"].push_back(many["tufts"][0]);
+    for (const nlohmann::json& body : {rings, fine, many}) {
+        ASSERT_LT(body.dump().size(), 1'000u);
+        ASSERT_TRUE(std::holds_alternative<Response>(answer_to(json_post("/v1/tufts", body.dump())))) << body;
+        EXPECT_EQ(ask(service, json_post("/v1/tufts", body.dump())).status, 503) << body;
+    }
+    EXPECT_EQ(ask(service, json_post("/v1/schedules", R"({"repeat": 1000})")).status, 503);
 }
 
 TEST_F(ServiceTest, WhoeverGetsNoWorkerInTimeIsToldToComeBack) {

@@ -1,0 +1,33 @@
+#include "service/small_work.hpp"
+
+#include <algorithm>
+
+namespace tuftwave::server {
+namespace {
+
+constexpr std::size_t kMostBodyBytes = 4 * 1024;  // read in about as long as a tuft is meshed
+constexpr std::size_t kMostTufts = 4;
+constexpr std::size_t kMostPoints = 64;
+constexpr std::size_t kMostRings = 128;
+constexpr std::size_t kMostVertices = 2'048;  // two tufts of 64 rings and 12 sides
+constexpr std::size_t kMostSheetFrames = 240;
+
+}  // namespace
+
+bool may_be_small(const Route& route, const Request& request) {
+    return route.may_be_small && request.body.size() <= kMostBodyBytes;
+}
+
+Limits small_limits(const Limits& limits) {
+    Limits small = limits;
+    small.tufts = std::min(limits.tufts, kMostTufts);
+    small.points = std::min(limits.points, kMostPoints);
+    small.points_per_tuft = std::min(limits.points_per_tuft, kMostPoints);
+    small.rings_per_tuft = std::min(limits.rings_per_tuft, kMostRings);
+    small.vertices = std::min(limits.vertices, kMostVertices);
+    small.triangles = std::min(limits.triangles, 2 * kMostVertices);
+    small.sheet_frames = std::min(limits.sheet_frames, kMostSheetFrames);
+    return small;
+}
+
+}  // namespace tuftwave::server
