@@ -20,7 +20,7 @@ using Clock = Connection::Clock;
 using Phase = Connection::Phase;
 
 constexpr std::uint64_t kDoor = 0;  // the listening socket among the connections
-constexpr auto kTick = std::chrono::milliseconds(50);
+constexpr auto kTick = std::chrono::milliseconds(50), kNoTime = std::chrono::milliseconds(0);
 constexpr std::size_t kRequestsPerConnection = 10'000;
 constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
 constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
@@ -47,7 +47,8 @@ class Listener::Loop {
 
     void serve() {
         for (auto next_tick = Clock::now(); door_.is_open() || !connections_.empty();) {
-            poller_.wait(kTick, [this](const Event& event) {
+            poller_.wait(mailbox_->may_sleep() ? kTick : kNoTime, [this](const Event& event) {
+                mailbox_->stay_awake();
                 on_event(event);
                 deliver_answers();  // at once, so that what was made without a worker is counted before more is made
             });
@@ -165,6 +166,7 @@ class Listener::Loop {
             const std::string_view bytes = connection.receive(std::span(buffer_).first(piece));
             if (connection.has_ended()) return close(connection);
             if (bytes.empty() || !go_on(connection, bytes)) return;
+            if (bytes.size() < piece) return;  // there is no more
         }
     }
 

@@ -18,7 +18,7 @@ struct Letter {
 };
 
 /// Where any thread posts answers, and one thread collects them. Posting allocates nothing, so no answer is lost for
-/// want of memory.
+/// want of memory; it wakes the collector only if that sleeps, since a wake-up costs more than many an answer.
 class Mailbox {
   public:
     explicit Mailbox(Poller& poller) : poller_(&poller) {}
@@ -26,9 +26,20 @@ class Mailbox {
     /// @param letter  one; left empty
     void post(std::list<Letter>& letter) {
         const std::lock_guard lock(mutex_);
-        const bool was_empty = letters_.empty();
         letters_.splice(letters_.end(), letter);
-        if (was_empty && poller_) poller_->wake();
+        if (std::exchange(is_asleep_, false) && poller_) poller_->wake();
+    }
+
+    /// For the collector, before it waits. @return  false if it must not, since there are letters
+    bool may_sleep() {
+        const std::lock_guard lock(mutex_);
+        return is_asleep_ = letters_.empty();
+    }
+
+    /// And when it has waited: it will look here before it does so again.
+    void stay_awake() {
+        const std::lock_guard lock(mutex_);
+        is_asleep_ = false;
     }
 
     std::list<Letter> collect() {
@@ -46,6 +57,7 @@ class Mailbox {
     std::mutex mutex_;
     std::list<Letter> letters_;
     Poller* poller_;
+    bool is_asleep_ = false;
 };
 
 }  // namespace tuftwave::server

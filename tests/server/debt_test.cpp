@@ -49,10 +49,18 @@ TEST_F(DebtTest, SaysCloseWhileTheListenerDrains) {
 }
 
 TEST_F(DebtTest, WakesWhoWaits) {
+    ASSERT_TRUE(mailbox->may_sleep());
     owe().reset();
     const auto begin = std::chrono::steady_clock::now();
     poller.wait(std::chrono::seconds(20), [](const Event&) {});
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST_F(DebtTest, WhoHasLettersMustNotWait) {
+    owe().reset();
+    EXPECT_FALSE(mailbox->may_sleep());
+    EXPECT_EQ(mailbox->collect().size(), 1u);
+    EXPECT_TRUE(mailbox->may_sleep());
 }
 
 TEST_F(DebtTest, OutlivesTheListener) {

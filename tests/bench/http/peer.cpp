@@ -4,8 +4,8 @@
 //
 //   GET /null              a few bytes, the null handler
 //   GET or POST /same/N    the bytes of file N, counted from 0: the same-bytes handler, which sends an answer without
-//                          making it. Set up as a good user would: no delay, long keep-alive, threads for everybody, and a
-//                          content provider, since set_content() copies.
+//                          making it. Set up as a good user would: no delay, long keep-alive, threads for everybody,
+//                          and a content provider, since set_content() copies.
 #include <httplib.h>
 
 #include <cstdio>
