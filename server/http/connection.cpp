@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "memory/buffers.hpp"
+
 namespace tuftwave::server {
 namespace {
 
@@ -58,11 +60,16 @@ Connection::Sent Connection::send() {
         turn += static_cast<std::size_t>(sent);
         progress_ = Clock::now();
     }
-    release(message_);
-    sent_ = 0;
+    forget_message();
     phase_ = Phase::kReading;
     since_ = Clock::now();
     return Sent::kAll;
+}
+
+void Connection::forget_message() {
+    memory::give_back(std::move(message_.body));
+    release(message_);
+    sent_ = 0;
 }
 
 bool Connection::send_at_once(const std::string_view bytes) {

@@ -37,6 +37,7 @@ class Connection {
     enum class Sent { kAll, kSome, kFailed };
 
     Connection(Descriptor socket, const std::uint64_t its_id) : id(its_id), socket_(std::move(socket)) {}
+    ~Connection() { forget_message(); }
 
     const std::uint64_t id;
     RequestReader reader;
@@ -88,6 +89,8 @@ class Connection {
     void restart_clock() { since_ = Clock::now(); }
 
   private:
+    void forget_message();
+
     Descriptor socket_;
     Phase phase_ = Phase::kReading;
     Clock::time_point since_ = Clock::now();     // of the present part

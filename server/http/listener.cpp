@@ -12,6 +12,7 @@
 #include "http/library.hpp"
 #include "http/mailbox.hpp"
 #include "http/poller.hpp"
+#include "memory/buffers.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -56,6 +57,7 @@ class Listener::Loop {
             if (stopping_) close_the_door();
             if (Clock::now() < next_tick && !stopping_) continue;
             guarded([this] { close_what_is_due(); });
+            memory::free_idle_buffers();
             wait_at_the_door(true);
             next_tick = Clock::now() + kTick;
         }

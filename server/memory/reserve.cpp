@@ -7,6 +7,8 @@
 #include <mutex>
 #include <new>
 
+#include "memory/buffers.hpp"
+
 namespace tuftwave::server::memory {
 namespace {
 
@@ -35,6 +37,7 @@ bool give_up(Half& half) {
 
 /// What operator new calls when there is no memory; if it returns, operator new tries again.
 void make_room() {
+    if (kept_bytes() > 0) return free_idle_buffers(std::chrono::seconds(0));
     if (!give_up(to_go_on) && std::uncaught_exceptions() > 0) give_up(to_let_go);
     const unsigned times = given_up;
     if (times == seen) throw std::bad_alloc();

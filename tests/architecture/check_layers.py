@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "config": {"core"},
     "sheets": {"core"},
     "poses": {"core", "assets"},
-    "gltf": {"core", "version"},
+    "gltf": {"core", "version", "memory"},
     "character": {"core", "gltf"},
     "api": {"core", "gltf", "poses", "sheets", "character", "assets", "version"},
     "access": {"core", "gltf", "poses", "sheets", "character", "assets", "version", "api", "config"},

@@ -1,0 +1,99 @@
+#include "memory/buffers.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
+namespace tuftwave::server::memory {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMostTimesTooLarge = 2;  // or small answers would hold the memory of large ones
+
+struct Kept {
+    std::string buffer;
+    Clock::time_point since;
+
+    bool is_free() const { return buffer.capacity() < kLeastBuffer; }  // a string always has a little room of its own
+};
+
+// One for the whole process, as the C library's own are: no answer depends on what is in it.
+std::mutex mutex;  // guards `all`; nothing is allocated or freed while it is held
+std::array<Kept, 4> all;
+
+std::size_t bytes_of(const Kept& kept) { return kept.is_free() ? 0 : kept.buffer.capacity(); }
+
+/// One that fits, the smallest of them; an empty string if there is none, and then nothing is kept either, so that what
+/// waits and what is new are never there together.
+std::string found(const std::size_t room) {
+    std::array<Kept, 4> dropped;  // freed behind the lock
+    const std::lock_guard lock(mutex);
+    Kept* best = nullptr;
+    for (Kept& kept : all) {
+        const std::size_t capacity = bytes_of(kept);
+        if (capacity < room || capacity > room * kMostTimesTooLarge) continue;
+        if (best == nullptr || capacity < best->buffer.capacity()) best = &kept;
+    }
+    if (best != nullptr) return std::exchange(best->buffer, {});
+    std::swap(all, dropped);
+    return {};
+}
+
+/// Large pages take a fifth of the time until all are there. Only a hint: where there are none it changes nothing.
+void ask_for_large_pages(const std::string& buffer) {
+#ifdef MADV_HUGEPAGE
+    const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto begin = (reinterpret_cast<std::uintptr_t>(buffer.data()) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(buffer.data()) + buffer.capacity()) / page * page;
+    if (end > begin) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
+}  // namespace
+
+std::string take_buffer(const std::size_t size, std::size_t room) {
+    room = std::max(size, room);
+    std::string buffer;
+    if (room >= kLeastBuffer) buffer = found(room);
+    if (buffer.capacity() < room) {
+        buffer.reserve(room);
+        if (room >= kLeastBuffer) ask_for_large_pages(buffer);
+    }
+    buffer.resize(size);  // of a kept one hardly ever more than it was: nothing is written
+    return buffer;
+}
+
+void give_back(std::string buffer) noexcept {
+    if (buffer.capacity() < kLeastBuffer) return;
+    const std::lock_guard lock(mutex);
+    std::size_t bytes = buffer.capacity();
+    for (const Kept& kept : all) bytes += bytes_of(kept);
+    const auto place = std::find_if(all.begin(), all.end(), [](const Kept& kept) { return kept.is_free(); });
+    if (bytes > kMostKept || place == all.end()) return;
+    place->buffer = std::move(buffer);
+    place->since = Clock::now();
+}
+
+void free_idle_buffers(const Clock::duration idle) noexcept {
+    std::array<Kept, 4> dropped;  // freed behind the lock
+    const std::lock_guard lock(mutex);
+    const auto now = Clock::now();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!all[i].is_free() && now - all[i].since >= idle) std::swap(all[i], dropped[i]);
+    }
+}
+
+std::size_t kept_bytes() {
+    const std::lock_guard lock(mutex);
+    std::size_t bytes = 0;
+    for (const Kept& kept : all) bytes += bytes_of(kept);
+    return bytes;
+}
+
+}  // namespace tuftwave::server::memory
