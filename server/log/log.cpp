@@ -12,22 +12,23 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <climits>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <thread>
 #include <utility>
 
 namespace tuftwave::server {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Json = nlohmann::ordered_json;
 
 constexpr auto kPatienceAtTheEnd = std::chrono::seconds(1);
 constexpr int kPollMs = 50;
+constexpr auto kRest = std::chrono::milliseconds(5);
 
 /// Writes whole lines to a descriptor that may be a pipe nobody reads. spdlog's own sinks would block there, and the
 /// destructor of its thread pool with them.
@@ -39,8 +40,16 @@ class DescriptorSink final : public spdlog::sinks::base_sink<spdlog::details::nu
     void hurry() { give_up_at_ = (Clock::now() + kPatienceAtTheEnd).time_since_epoch().count(); }
     std::size_t dropped() const { return dropped_; }
 
+    /// Waits a little behind a line if nothing waits: to be woken for each costs whoever logs more than all the rest.
+    void rest_while(std::function<bool()> is_all_written) { is_all_written_ = std::move(is_all_written); }
+
   private:
     void sink_it_(const spdlog::details::log_msg& message) override {
+        write(message);
+        if (is_all_written_ && is_all_written_()) std::this_thread::sleep_for(kRest);
+    }
+
+    void write(const spdlog::details::log_msg& message) {
         spdlog::memory_buf_t line;
         if (is_torn_) line.push_back('\n');  // what could be written of the line before stands alone
         formatter_->format(message, line);
@@ -73,6 +82,7 @@ class DescriptorSink final : public spdlog::sinks::base_sink<spdlog::details::nu
     bool has_given_up() const { return Clock::now().time_since_epoch().count() >= give_up_at_; }
 
     const int descriptor_;
+    std::function<bool()> is_all_written_;
     bool is_torn_ = false;
     std::atomic<Clock::rep> give_up_at_{Clock::duration::max().count()};
     std::atomic<std::size_t> dropped_{0};
@@ -92,7 +102,7 @@ std::string_view name_of(const Log::Level level) {
     return "error";
 }
 
-spdlog::level::level_enum spdlog_level(const std::string& name) {
+spdlog::level::level_enum spdlog_level(const std::string_view name) {
     if (name == "debug") return spdlog::level::debug;
     if (name == "warn") return spdlog::level::warn;
     if (name == "error") return spdlog::level::err;
@@ -100,57 +110,108 @@ spdlog::level::level_enum spdlog_level(const std::string& name) {
     return spdlog::level::info;
 }
 
-/// The time in ISO 8601, UTC, with milliseconds.
-std::string now_text() {
-    const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
-    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(since_epoch).count();
-    const auto seconds = static_cast<std::time_t>(ms / 1000);
-    std::tm utc{};
-    gmtime_r(&seconds, &utc);
-    std::array<char, 32> date{};
-    std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &utc);
-    std::array<char, 8> fraction{};
-    std::snprintf(fraction.data(), fraction.size(), ".%03dZ", static_cast<int>(ms % 1000));
-    return std::string(date.data()) + fraction.data();
-}
-
 /// In ASCII, without control characters; bytes that are not UTF-8 become U+FFFD.
-std::string escaped(const Json& value) { return value.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
-bool is_plain(const std::string& text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), [](const char c) {
-        return c > ' ' && c < '\x7f' && c != '"' && c != '\\' && c != '=';
-    });
+std::string escaped(const std::string_view text) {
+    return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-/// The record's values one after the other: time, level and message bare, everything else as name=value.
-std::string text_line(const Json& record) {
-    std::string line;
-    for (const auto& [name, value] : record.items()) {
-        if (!line.empty()) line += ' ';
-        if (name != "ts" && name != "level" && name != "msg") line += (is_plain(name) ? name : escaped(name)) + "=";
-        const std::string* text = value.get_ptr<const std::string*>();
-        line += text && (is_plain(*text) || name == "msg") && escaped(value).size() == text->size() + 2
-                    ? *text
-                    : escaped(value);
+/// Whether JSON has it between quotes as it is.
+bool needs_no_escape(const std::string_view text) {
+    return std::all_of(text.begin(), text.end(),
+                       [](const char c) { return c >= ' ' && c < '\x7f' && c != '"' && c != '\\'; });
+}
+
+bool is_plain(const std::string_view text) {
+    return !text.empty() && needs_no_escape(text) && text.find_first_of(" =") == std::string_view::npos;
+}
+
+/// A record as it grows: behind the time, which spdlog writes, level and message, then the fields. As text these two
+/// are bare, everything else is name=value.
+class Line {
+  public:
+    Line(const bool as_text, const Log::Level level, const std::string_view message) : as_text_(as_text) {
+        text_.reserve(kUsualBytes);
+        if (as_text_) {
+            text_ += name_of(level);
+            text_ += ' ';
+            text_ += needs_no_escape(message) ? std::string(message) : escaped(message);
+        } else {
+            append_quoted("level");
+            text_ += ':';
+            append_quoted(name_of(level));
+            add("msg", message);
+        }
     }
-    return line;
-}
 
-/// Microseconds are as fine as these clocks are worth reading.
-double rounded(const double ms) { return std::round(ms * 1000) / 1000; }
+    void add(const std::string_view name, const std::string_view value) {
+        begin(name);
+        if (as_text_ && is_plain(value))
+            text_ += value;
+        else
+            append_quoted(value);
+    }
+    void add(const std::string_view name, const std::uint64_t number) {
+        begin(name);
+        append(number);
+    }
+    /// Microseconds are as fine as these clocks are worth reading.
+    void add_ms(const std::string_view name, const double ms) {
+        begin(name);
+        const auto us = static_cast<std::uint64_t>(std::llround(std::max(ms, 0.0) * 1000));
+        append(us / 1000);
+        const std::string digits = std::to_string(1000 + us % 1000);
+        text_ += '.';
+        text_ += std::string_view(digits).substr(1, std::max<std::size_t>(digits.find_last_not_of('0'), 1));
+    }
+
+    const std::string& end() {
+        if (!as_text_) text_ += '}';
+        return text_;
+    }
+
+  private:
+    static constexpr std::size_t kUsualBytes = 256;
+
+    void begin(const std::string_view name) {
+        text_ += as_text_ ? ' ' : ',';
+        if (as_text_ && is_plain(name))
+            text_ += name;
+        else
+            append_quoted(name);
+        text_ += as_text_ ? '=' : ':';
+    }
+    void append_quoted(const std::string_view text) {
+        if (!needs_no_escape(text)) {
+            text_ += escaped(text);
+            return;
+        }
+        text_ += '"';
+        text_ += text;
+        text_ += '"';
+    }
+    void append(const std::uint64_t number) {
+        std::array<char, 20> digits;
+        text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+    }
+
+    const bool as_text_;
+    std::string text_;
+};
 
 }  // namespace
 
 class Log::Writer {
   public:
     explicit Writer(const LogOptions& options)
-        : as_text_(options.format == "text" || (options.format == "auto" && ::isatty(options.descriptor) == 1)),
+        : as_text(options.format == "text" || (options.format == "auto" && ::isatty(options.descriptor) == 1)),
           sink_(std::make_shared<DescriptorSink>(options.descriptor)),
           pool_(std::make_shared<spdlog::details::thread_pool>(options.queue_records, 1)),
           logger_(std::make_shared<spdlog::async_logger>("tuftwave", sink_, pool_,
                                                          spdlog::async_overflow_policy::overrun_oldest)) {
-        logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>("%v", spdlog::pattern_time_type::utc, "\n"));
+        sink_->rest_while([pool = pool_.get()] { return pool->queue_size() == 0; });
+        logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>(
+            as_text ? "%Y-%m-%dT%H:%M:%S.%eZ %v" : "{\"ts\":\"%Y-%m-%dT%H:%M:%S.%eZ\",%v",
+            spdlog::pattern_time_type::utc, "\n"));
         logger_->set_level(spdlog_level(options.level));
     }
     ~Writer() {
@@ -158,21 +219,15 @@ class Log::Writer {
         pool_.reset();  // writes what is waiting and joins its thread, which then holds no logger any more
     }
 
-    bool writes(const Level level) const { return logger_->should_log(spdlog_level(std::string(name_of(level)))); }
+    bool writes(const Level level) const { return logger_->should_log(spdlog_level(name_of(level))); }
 
-    Json begin(const Level level, const std::string_view message) const {
-        return {{"ts", now_text()}, {"level", name_of(level)}, {"msg", message}};
-    }
-
-    void write(const Level level, const Json& record) {
-        const std::string line = as_text_ ? text_line(record) : escaped(record);
-        logger_->log(spdlog_level(std::string(name_of(level))), "{}", line);
-    }
+    void write(const Level level, Line& line) { logger_->log(spdlog_level(name_of(level)), line.end()); }
 
     std::size_t dropped() const { return pool_->overrun_counter() + sink_->dropped(); }
 
+    const bool as_text;
+
   private:
-    const bool as_text_;
     // Shared because spdlog asks for it.
     std::shared_ptr<DescriptorSink> sink_;
     std::shared_ptr<spdlog::details::thread_pool> pool_;
@@ -186,23 +241,25 @@ Log::~Log() = default;
 void Log::request(const RequestRecord& record) {
     const Level level = record.status >= 500 ? Level::kWarn : Level::kInfo;
     if (!writer_->writes(level)) return;
-    Json line = writer_->begin(level, "request");
-    line["request_id"] = record.id;
-    line["method"] = record.method;
-    line["route"] = record.route;
-    line["status"] = record.status;
-    line["queue_ms"] = rounded(record.queue_ms);
-    line["core_ms"] = rounded(record.core_ms);
-    line["total_ms"] = rounded(record.total_ms);
-    line["bytes_in"] = record.bytes_in;
-    line["bytes_out"] = record.bytes_out;
+    Line line(writer_->as_text, level, "request");
+    line.add("request_id", record.id);
+    line.add("method", record.method);
+    line.add("route", record.route);
+    line.add("status", static_cast<std::uint64_t>(record.status));
+    line.add_ms("queue_ms", record.queue_ms);
+    line.add_ms("core_ms", record.core_ms);
+    line.add_ms("total_ms", record.total_ms);
+    line.add("bytes_in", record.bytes_in);
+    line.add("bytes_out", record.bytes_out);
     writer_->write(level, line);
 }
 
 void Log::event(const Level level, const std::string_view message, const NameValues& fields) {
     if (!writer_->writes(level)) return;
-    Json line = writer_->begin(level, message);
-    for (const auto& [name, value] : fields) line.emplace(name, value);  // never over ts, level or msg
+    Line line(writer_->as_text, level, message);
+    for (const auto& [name, value] : fields) {
+        if (name != "ts" && name != "level" && name != "msg") line.add(name, value);
+    }
     writer_->write(level, line);
 }
 
