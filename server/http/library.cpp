@@ -3,8 +3,9 @@
 #include <httplib.h>
 
 #include <algorithm>
-#include <exception>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <string_view>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 /// A request to read, and room for the head of an answer.
 class MemoryStream final : public httplib::Stream {
   public:
-    explicit MemoryStream(const std::string& request) : unread_(request) {}
+    explicit MemoryStream(const std::string_view request) : unread_(request) {}
 
     bool is_readable() const override { return !unread_.empty(); }
     bool is_writable() const override { return true; }
@@ -38,14 +39,6 @@ class MemoryStream final : public httplib::Stream {
     std::string_view unread_;
 };
 
-/// What this thread words: the library's handlers have no other way to learn it.
-struct Wording {
-    Response answer;
-    bool closes;
-    std::string body;  // taken out of the library's hands before it would copy it
-};
-thread_local Wording* wording = nullptr;
-
 using SetUp = std::function<void(httplib::Request&)>;
 
 /// process_request of 0.11.4 and of 0.18.7: whichever the library has is called.
@@ -61,67 +54,62 @@ using SetUp = std::function<void(httplib::Request&)>;
     return (server.*request)(stream, "", 0, "", 0, false, is_closed, {});
 }
 
-void deliver(httplib::Response& to) {
-    Response& from = wording->answer;
-    to.status = from.status;
-    to.body = std::move(from.body);
-    if (!from.content_type.empty()) to.set_header("Content-Type", from.content_type);
-    for (const auto& [name, value] : from.headers) to.set_header(name, value);
-}
+constexpr std::string_view kEnd = "\r\n";
+constexpr std::size_t kUsualBytes = 512;
 
-/// The last word on the headers; the library has counted the body by now.
-void finish(httplib::Response& to) {
-    to.set_header("X-Content-Type-Options", "nosniff");
-    to.headers.erase("Accept-Ranges");  // the library claims it for HEAD
-    to.headers.erase("Keep-Alive");
-    if (const std::string_view constant = wording->answer.constant; !constant.empty()) {
-        to.headers.erase("Content-Length");  // of the body that it did not see
-        to.set_header("Content-Length", std::to_string(constant.size()));
-    }
-    if (to.status == 204 || to.status == 304) to.headers.erase("Content-Length");
-    if (wording->closes) {
-        to.headers.erase("Connection");
-        to.set_header("Connection", "close");
-    }
-    wording->body = std::exchange(to.body, {});
+/// What could end a header, or the head, early.
+bool is_one_line(const std::string_view text) { return text.find_first_of("\r\n") == std::string_view::npos; }
+
+void add_header(std::string& head, const std::string_view name, const std::string_view value) {
+    if (!is_one_line(name) || !is_one_line(value)) return;
+    for (const std::string_view part : {name, std::string_view(": "), value, kEnd}) head += part;
 }
 
 }  // namespace
 
 class Library::Server final : public httplib::Server {
   public:
-    Server() {
-        set_pre_routing_handler([](const httplib::Request&, httplib::Response& response) {
-            deliver(response);
-            return HandlerResponse::Handled;
-        });
-        set_post_routing_handler([](const httplib::Request&, httplib::Response& response) { finish(response); });
+    /// "HTTP/1.1 404 Not Found" with its end. It asks the library once for each status.
+    const std::string& status_line(const int status) {
+        const std::lock_guard lock(mutex_);
+        std::string& line = lines_[status];
+        if (line.empty()) line = worded(status);
+        return line;
     }
 
-    bool word(httplib::Stream& stream) {
+  private:
+    std::string worded(const int status) {
+        set_pre_routing_handler([status](const httplib::Request&, httplib::Response& response) {
+            response.status = status;
+            return HandlerResponse::Handled;
+        });
+        MemoryStream stream("GET / HTTP/1.1\r\nHost: h\r\n\r\n");
         bool is_closed = false;
-        return process(*this, &Server::process_request, stream, is_closed);
+        process(*this, &Server::process_request, stream, is_closed);
+        return stream.written.substr(0, stream.written.find(kEnd) + kEnd.size());
     }
+
+    std::mutex mutex_;
+    std::map<int, std::string> lines_;
 };
 
 Library::Library() : server_(std::make_unique<Server>()) {}
 
 Library::~Library() = default;
 
-Message Library::message(const std::string& method, Response answer, const bool closes) const {
-    const std::string request = method + " / HTTP/1.1\r\nHost: h\r\n\r\n";
-    MemoryStream stream(request);
-    Wording mine{std::move(answer), closes, ""};
-    wording = &mine;
-    try {
-        server_->word(stream);
-    } catch (...) {  // no memory
-        wording = nullptr;
-        throw;
-    }
-    wording = nullptr;
-    if (method == "HEAD") return {std::move(stream.written), "", {}};
-    return {std::move(stream.written), std::move(mine.body), mine.answer.constant};
+Message Library::message(const std::string_view method, Response answer, const bool closes) const {
+    std::string head;
+    head.reserve(kUsualBytes);
+    head = server_->status_line(answer.status);
+    if (!answer.content_type.empty()) add_header(head, "Content-Type", answer.content_type);
+    for (const auto& [name, value] : answer.headers) add_header(head, name, value);
+    add_header(head, "X-Content-Type-Options", "nosniff");
+    if (answer.status != 204 && answer.status != 304)
+        add_header(head, "Content-Length", std::to_string(answer.content().size()));
+    if (closes) add_header(head, "Connection", "close");
+    head += kEnd;
+    if (method == "HEAD") return {std::move(head), "", {}};
+    return {std::move(head), std::move(answer.body), answer.constant};
 }
 
 }  // namespace tuftwave::server

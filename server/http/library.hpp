@@ -19,9 +19,10 @@ struct Message {
     std::size_t memory() const { return head.size() + body.size(); }
 };
 
-/// The HTTP library. It is shown one complete request over a stream in memory, and words the answer. Nothing that a
-/// client sent reaches it but the method, so its parsers have nothing to trip over, and its limits, routes, ranges,
-/// codings and multipart forms never come into play.
+/// The HTTP library. It is shown a request of ours over a stream in memory, once for each status, and words the status
+/// line; to word every head it would take longer than all else that a small answer needs. Nothing that a client sent
+/// reaches it, so its parsers have nothing to trip over, and its limits, routes, ranges, codings and multipart forms
+/// never come into play.
 class Library {
   public:
     Library();
@@ -31,8 +32,9 @@ class Library {
 
     /// @param method  GET, HEAD, POST or OPTIONS
     /// @param closes  whether the connection is closed behind this answer
-    /// @return  status line, headers, and the body unless it was HEAD. Called by several threads at once.
-    Message message(const std::string& method, Response answer, bool closes) const;
+    /// @return  status line, headers, and the body unless it was HEAD; a header that is not one line is left out.
+    ///          Called by several threads at once.
+    Message message(std::string_view method, Response answer, bool closes) const;
 
   private:
     class Server;

@@ -61,6 +61,13 @@ TEST(Library, StatusesOfOurOwnHaveTheirNames) {
     }
 }
 
+TEST(Library, NoHeaderBecomesTwo) {
+    const Message message = Library().message(
+        "GET", {200, "text/plain", "", {{"X-Mine", "1\r\nX-Theirs: 2"}, {"X-\nTheirs", "2"}, {"X-Last", "3"}}}, false);
+    EXPECT_FALSE(has(message.head, "Theirs")) << message.head;
+    EXPECT_TRUE(has(message.head, "X-Last: 3\r\n")) << message.head;
+}
+
 TEST(Library, AnswersWithoutContentHaveNoLength) {
     for (const int status : {204, 304})
         EXPECT_FALSE(has(Library().message("GET", {status, "", "", {}}, false).head, "Content-Length")) << status;
