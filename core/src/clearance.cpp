@@ -3,9 +3,12 @@
 #include "tuftwave/clearance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include "tuftwave/curve.hpp"
 
@@ -34,7 +37,18 @@ std::vector<Vec3> with_sunk_root(std::span<const Vec3> stroke, double root_depth
     return points;
 }
 
-Vec3 place_on(const Curve& curve, int share) { return curve.at(curve.arc_length() * share / kClearanceShares).point; }
+/// The places at some shares of a curve, rising.
+std::vector<Vec3> places_on(const Curve& curve, std::span<const int> shares) {
+    std::vector<double> along;
+    along.reserve(shares.size());
+    for (const int share : shares) along.push_back(curve.arc_length() * share / kClearanceShares);
+    std::vector<CurveFrame> frames(shares.size());
+    curve.at(along, frames);
+    std::vector<Vec3> places;
+    places.reserve(shares.size());
+    for (const CurveFrame& frame : frames) places.push_back(frame.point);
+    return places;
+}
 
 /// Whether hardly anything of a stroke is left, which then has no curve.
 bool is_shrunk(std::span<const Vec3> stroke) {
@@ -58,12 +72,16 @@ bool is_wanted(const Clearance& wanted, std::size_t share) {
 Deepest deepest_place(const Curve& curve, double sunk, const Clearance& wanted, const Scalp& scalp) {
     Deepest deepest;
     const int root = static_cast<int>(std::ceil(sunk / curve.arc_length() * kClearanceShares));
+    std::vector<int> shares;
     for (int share = root; share <= kClearanceShares; ++share) {
-        if (!is_wanted(wanted, static_cast<std::size_t>(share))) continue;
-        const Vec3 place = place_on(curve, share);
-        const std::optional<Vec3> way_out = scalp.way_out(place);
+        if (is_wanted(wanted, static_cast<std::size_t>(share))) shares.push_back(share);
+    }
+    const std::vector<Vec3> places = places_on(curve, shares);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::optional<Vec3> way_out = scalp.way_out(places[i]);
         const double depth = way_out ? length(*way_out) : 0;
-        if (depth > deepest.depth && depth > kTolerance * length(place)) deepest = {share, depth, place, *way_out};
+        if (depth > deepest.depth && depth > kTolerance * length(places[i]))
+            deepest = {shares[i], depth, places[i], *way_out};
     }
     return deepest;
 }
@@ -99,8 +117,10 @@ void bend_at(std::vector<Vec3>& stroke, const std::vector<Vec3>& sunk, const Dee
 
 Clearance clearance_of(std::span<const Vec3> stroke, const Scalp& scalp, double root_depth) {
     const Curve curve(with_sunk_root(stroke, root_depth));
+    std::array<int, kClearanceShares + 1> shares;
+    std::iota(shares.begin(), shares.end(), 0);
     Clearance clearance;
-    for (int share = 0; share <= kClearanceShares; ++share) clearance.push_back(!scalp.way_out(place_on(curve, share)));
+    for (const Vec3& place : places_on(curve, shares)) clearance.push_back(!scalp.way_out(place));
     return clearance;
 }
 

@@ -28,7 +28,7 @@ Error at_tuft(const Hairstyle& hairstyle, const HairPlan& plan, std::size_t tuft
 /// All tufts of a hairstyle, the drawn ones first.
 using Tufts = std::vector<const Tuft*>;
 
-Check check_counts(const Tufts& tufts, const Limits& limits) {
+Check check_counts(const Tufts& tufts, const MeshDetail& mesh, const Limits& limits) {
     if (Check wrong = check_count(tufts.size(), 1, limits.tufts, "/tufts")) return wrong;
     std::size_t points = 0, joints = 0;
     for (const Tuft* tuft : tufts) {
@@ -36,7 +36,7 @@ Check check_counts(const Tufts& tufts, const Limits& limits) {
         joints += static_cast<std::size_t>(tuft->joints > 0 ? tuft->joints : 0);
     }
     if (Check wrong = check_total(points, limits.points, "points in all tufts", "/tufts")) return wrong;
-    return check_total(joints, limits.joints, "joints in all tufts", "/tufts");
+    return mesh.skin ? check_total(joints, limits.joints, "joints in all tufts", "/tufts") : Check{};
 }
 
 Check check_mesh_size(std::size_t vertices, std::size_t triangles, const Limits& limits) {
@@ -65,6 +65,23 @@ Check count_mesh(HairPlan& plan, std::size_t from, std::size_t to, const Limits&
     return check_mesh_size(plan.vertices, plan.indices / 3, limits);
 }
 
+bool keeps_sizes_only(const MeshDetail& mesh) { return mesh.rings && !mesh.skin; }
+
+/// Plans one tuft, or no more than the size of its mesh.
+Check plan_one_tuft(const Tuft& tuft, const Hairstyle& hairstyle, const Limits& limits, MeshPlan& mesh, Chain& chain) {
+    if (keeps_sizes_only(hairstyle.mesh)) {
+        if (Check wrong = check_tuft(tuft, hairstyle.head, limits)) return wrong;
+        mesh = plan_mesh_size(tuft, hairstyle.mesh);
+        chain.name = tuft.name;
+        return {};
+    }
+    Result<PlannedTuft> planned = plan_tuft(tuft, hairstyle.head, hairstyle.mesh, limits);
+    if (!planned) return planned.error();
+    mesh = std::move(planned->mesh);
+    chain = std::move(planned->chain);
+    return {};
+}
+
 /// Plans the tufts in [from, to); of several that are wrong the first is named.
 Check plan_some_tufts(const Hairstyle& hairstyle, const Tufts& tufts, std::size_t from, std::size_t to,
                       const Limits& limits, const ForEach& for_each, const std::stop_token& stop, HairPlan& plan) {
@@ -72,13 +89,8 @@ Check plan_some_tufts(const Hairstyle& hairstyle, const Tufts& tufts, std::size_
     for_each(to - from, [&](std::size_t job) {
         if (stop.stop_requested()) return;
         const std::size_t i = from + job;
-        Result<PlannedTuft> planned = plan_tuft(*tufts[i], hairstyle.head, hairstyle.mesh, limits);
-        if (!planned) {
-            wrong[job] = at_tuft(hairstyle, plan, i, planned.error());
-            return;
-        }
-        plan.tufts[i] = std::move(planned->mesh);
-        plan.chains[i] = std::move(planned->chain);
+        if (Check found = plan_one_tuft(*tufts[i], hairstyle, limits, plan.tufts[i], plan.chains[i]))
+            wrong[job] = at_tuft(hairstyle, plan, i, *std::move(found));
     });
     if (stop.stop_requested()) return kCancelled;
     for (Check& error : wrong) {
@@ -120,16 +132,35 @@ Result<HairMotion> plan_motion(const Hairstyle& hairstyle, const Limits& limits,
     return HairMotion{std::move(schedule), std::move(moved).value()};
 }
 
+const Tuft& tuft_at(const HairPlan& plan, std::size_t tuft) {
+    const std::vector<Tuft>* tufts = &plan.hairstyle->tufts;
+    for (auto fill = plan.filled.begin(); tuft >= tufts->size(); ++fill) {
+        tuft -= tufts->size();
+        tufts = &*fill;
+    }
+    return (*tufts)[tuft];
+}
+
 }  // namespace
+
+const MeshPlan& mesh_plan(const HairPlan& plan, std::size_t tuft, MeshPlan& made) {
+    const MeshPlan& kept = plan.tufts[tuft];
+    if (!kept.rings.empty()) return kept;
+    const Hairstyle& hairstyle = *plan.hairstyle;
+    made = std::move(plan_tuft(tuft_at(plan, tuft), hairstyle.head, hairstyle.mesh, plan.limits)->mesh);
+    return made;
+}
 
 Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
                                 std::stop_token stop) {
     Tufts tufts;
     for (const Tuft& tuft : hairstyle.tufts) tufts.push_back(&tuft);
-    if (Check wrong = check_counts(tufts, limits)) return *wrong;
+    if (Check wrong = check_counts(tufts, hairstyle.mesh, limits)) return *wrong;
     if (Check wrong = check_head(hairstyle.head, limits)) return within("/head", *wrong);
     if (Check wrong = check_detail(hairstyle.mesh, limits)) return within("/mesh", *wrong);
     if (Check wrong = check_given_rings(tufts.size(), hairstyle.mesh, limits)) return *wrong;
+    if (hairstyle.motion && !hairstyle.mesh.skin)
+        return Error{ErrorCode::kConflict, "/mesh/skin", "false", "true, since the hair moves", {}, {}};
     std::optional<Schedule> schedule;
     if (hairstyle.motion) {
         Result<Schedule> made = make_schedule(hairstyle.motion->timing, hairstyle.formulas, limits);
@@ -137,15 +168,17 @@ Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits
         schedule = std::move(made).value();
         if (Check wrong = check_motion(*hairstyle.motion, *schedule, limits)) return within("/motion", *wrong);
     }
-    const Result<std::vector<Filled>> fills = fill_hairstyle(hairstyle, limits, for_each, stop);
+    Result<std::vector<Filled>> fills = fill_hairstyle(hairstyle, limits, for_each, stop);
     if (!fills) return fills.error();
 
     HairPlan plan;
-    for (const Filled& fill : *fills) {
-        for (const Tuft& tuft : fill.tufts) tufts.push_back(&tuft);
+    plan.hairstyle = &hairstyle;
+    plan.limits = limits;
+    for (Filled& fill : *fills) {
         plan.fills.push_back(fill.report);
+        for (const Tuft& tuft : plan.filled.emplace_back(std::move(fill.tufts))) tufts.push_back(&tuft);
     }
-    if (Check wrong = check_counts(tufts, limits)) return *wrong;
+    if (Check wrong = check_counts(tufts, hairstyle.mesh, limits)) return *wrong;
     if (Check wrong = check_given_rings(tufts.size(), hairstyle.mesh, limits)) return *wrong;
     if (Check wrong = plan_tufts(hairstyle, tufts, limits, for_each, stop, plan)) return *wrong;
     if (schedule) {

@@ -123,7 +123,7 @@ class RingChooser {
     bool is_fine(const Piece& piece, const Ring& first, const Ring& last) const {
         const auto& [a, middle, b] = piece;
         const double step = b.along - a.along;
-        if (step * kRingsPerBone * tuft_.joints > 1) return false;
+        if (detail_.skin && step * kRingsPerBone * tuft_.joints > 1) return false;
         const double turn =
             curve_.turning_until(b.along * curve_.arc_length()) - curve_.turning_until(a.along * curve_.arc_length());
         const double twist = std::abs(tuft_.twist_deg) * kRadiansPerDegree * step;

@@ -28,6 +28,8 @@ Check check_stroke(const Tuft& tuft, const Head& head, const Limits& limits) {
     return {};
 }
 
+bool has_flat_tip(const Tuft& tuft) { return tuft.widest_at >= 100; }
+
 }  // namespace
 
 Check check_tuft(const Tuft& tuft, const Head& head, const Limits& limits) {
@@ -50,6 +52,14 @@ Check check_detail(const MeshDetail& detail, const Limits& limits) {
     return detail.rings ? check_range(*detail.rings, limits.rings, "/rings") : Check{};
 }
 
+MeshPlan plan_mesh_size(const Tuft& tuft, const MeshDetail& detail) {
+    MeshPlan mesh;
+    mesh.ring_count = static_cast<std::size_t>(detail.rings.value_or(0));
+    mesh.flat_tip = has_flat_tip(tuft);
+    mesh.sides = detail.sides;
+    return mesh;
+}
+
 Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
                               Vectors vectors) {
     if (Check wrong = check_tuft(tuft, head, limits)) return *wrong;
@@ -63,17 +73,19 @@ Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDeta
     if (!rings) return rings.error();
 
     const CurveFrame root = curve.at(0), tip = curve.at(curve.arc_length());
-    PlannedTuft planned{{root.point,
-                         tip.point,
-                         -root.tangent,
-                         tip.tangent,
-                         std::move(rings).value(),
-                         {},
-                         tuft.widest_at >= 100,
-                         detail.sides,
-                         tuft.joints},
-                        chain_along(curve, tuft.joints)};
-    planned.mesh.reach = unfolding_reach(planned.mesh.rings, detail.sides, vectors);
+    PlannedTuft planned;
+    MeshPlan& mesh = planned.mesh;
+    mesh.root = root.point;
+    mesh.tip = tip.point;
+    mesh.root_direction = -root.tangent;
+    mesh.tip_direction = tip.tangent;
+    mesh.rings = std::move(rings).value();
+    mesh.ring_count = mesh.rings.size();
+    mesh.reach = unfolding_reach(mesh.rings, detail.sides, vectors);
+    mesh.flat_tip = has_flat_tip(tuft);
+    mesh.sides = detail.sides;
+    mesh.joints = detail.skin ? tuft.joints : 0;
+    if (detail.skin) planned.chain = chain_along(curve, tuft.joints);
     planned.chain.name = tuft.name;
     planned.chain.phase = tuft.phase;
     planned.chain.cycles = tuft.cycles;

@@ -145,7 +145,7 @@ void write_triangles(const MeshPlan& plan, std::span<Index> out, std::uint32_t f
     };
     const auto sides = static_cast<std::size_t>(plan.sides);
     const auto ring_start = [&](std::size_t ring) { return 1 + ring * (sides + 1); };
-    const std::size_t rings = plan.rings.size();
+    const std::size_t rings = plan.ring_count;
     for (std::size_t j = 0; j < sides; ++j) triangle(0, ring_start(0) + j + 1, ring_start(0) + j);
     run_with<write_rows<Index>>(widest_vectors(), next, rings - 1, sides, first_vertex + ring_start(0));
     next += 6 * sides * (rings - 1);
@@ -158,10 +158,10 @@ void write_triangles(const MeshPlan& plan, std::span<Index> out, std::uint32_t f
 
 std::size_t MeshPlan::vertex_count() const {
     const std::size_t row = static_cast<std::size_t>(sides) + 1;
-    return 2 + (rings.size() + (flat_tip ? 1 : 0)) * row;
+    return 2 + (ring_count + (flat_tip ? 1 : 0)) * row;
 }
 
-std::size_t MeshPlan::index_count() const { return 6 * static_cast<std::size_t>(sides) * rings.size(); }
+std::size_t MeshPlan::index_count() const { return 6 * static_cast<std::size_t>(sides) * ring_count; }
 
 void write_vertices(const MeshPlan& plan, const MeshSpans& out, Vectors vectors) {
     TuftMesher(plan, out, vectors).write();

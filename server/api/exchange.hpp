@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,9 +29,10 @@ struct Response {
     std::string body;
     NameValues headers;           ///< besides Content-Type and Content-Length
     std::string_view constant{};  ///< in place of `body`: bytes that live as long as the program, sent without a copy
+    std::size_t first = 0;        ///< where in `body` what is sent begins: a file that was written in place
 
-    /// The body, whoever holds it.
-    std::string_view content() const { return constant.empty() ? std::string_view(body) : constant; }
+    /// What is sent, whoever holds it.
+    std::string_view content() const { return constant.empty() ? std::string_view(body).substr(first) : constant; }
 };
 
 }  // namespace tuftwave::server

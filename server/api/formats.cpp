@@ -130,4 +130,10 @@ Response formatted(Format format, std::string body, const std::string& name, con
     return response;
 }
 
+Response formatted(Format format, gltf::File file, const std::string& name, const Schedule* schedule) {
+    Response response = formatted(format, std::move(file.memory), name, schedule);
+    response.first = file.first;
+    return response;
+}
+
 }  // namespace tuftwave::server

@@ -6,6 +6,7 @@
 
 #include "api/exchange.hpp"
 #include "api/problem.hpp"
+#include "gltf/document.hpp"
 #include "tuftwave/schedule.hpp"
 
 namespace tuftwave::server {
@@ -20,5 +21,6 @@ std::variant<Format, Problem> choose_format(const Request& request, std::initial
 /// An answer with its media type, a file name made of `name`, the frame rate and the ending, and, where something
 /// moves, the Tuftwave-Frame-Rate header: neither glTF nor XDTS, CSV or VMD stores one.
 Response formatted(Format format, std::string body, const std::string& name, const Schedule* schedule);
+Response formatted(Format format, gltf::File file, const std::string& name, const Schedule* schedule);
 
 }  // namespace tuftwave::server

@@ -40,8 +40,8 @@ std::string asset_extras(const HairRequest& hair, const HairPlan& plan) {
 
 }  // namespace
 
-std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context,
-                       const FileOptions& options) {
+gltf::File hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context,
+                      const FileOptions& options) {
     const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
     const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
     return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), {clip, options.holding, options.kind}, container,

@@ -19,7 +19,7 @@ struct HairRequest {
 /// The file of a planned hairstyle. The recipe rides along in it, so that it can be posted back and edited, and so does
 /// the sheet as integers.
 /// @param format  kGlb or kGltf
-std::string hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context,
-                       const FileOptions& options = {});
+gltf::File hair_bytes(const HairRequest& hair, const HairPlan& plan, Format format, const Context& context,
+                      const FileOptions& options = {});
 
 }  // namespace tuftwave::server

@@ -89,7 +89,7 @@ std::string answer_json(const MotionRequest& request, const HairMotion& motion, 
     return text_with_poses(frame, poses, static_cast<std::size_t>(motion.schedule.pictures));
 }
 
-std::string clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format, gltf::Holding holding) {
+gltf::File clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format, gltf::Holding holding) {
     const nlohmann::json schedule = schedule_json(motion.schedule);
     const nlohmann::json extras{
         {"tuftwave", {{"version", kVersion}, {"schedule", schedule}, {"warnings", warnings_json(&motion.schedule)}}}};

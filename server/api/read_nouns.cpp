@@ -180,6 +180,7 @@ void read_mesh(const json& value, const Place& place, FieldProblems& problems, c
     fields.number("tolerance", detail.tolerance);
     fields.integer("rings", limits.rings, detail.rings);
     fields.integer("sides", limits.sides, detail.sides);
+    fields.boolean("skin", detail.skin);
     fields.choice("layout", kLayouts, look.layout);
     fields.color("color", look.color);
     fields.done();

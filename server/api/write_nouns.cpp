@@ -152,6 +152,7 @@ Json settings_json(const Hairstyle& hairstyle, const gltf::Look& look) {
                     {"layout", word_of(kLayouts, look.layout)},
                     {"color", look.color}};
     if (hairstyle.mesh.rings) json["mesh"]["rings"] = *hairstyle.mesh.rings;
+    if (!hairstyle.mesh.skin) json["mesh"]["skin"] = false;
     if (hairstyle.formulas != Formulas::kCorrected) json["formulas"] = word_of(kFormulas, hairstyle.formulas);
     return json;
 }

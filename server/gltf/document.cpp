@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "gltf/model.hpp"
+#include "memory/buffers.hpp"
 
 namespace tuftwave::server::gltf {
 namespace {
 
 constexpr std::size_t kAlignment = 4;
-constexpr std::size_t kGlbHeads = 12 + 8 + 8;  // of the file and of its two chunks
+constexpr std::size_t kGlbHeads = 12 + 8 + 8;         // of the file and of its two chunks
+constexpr std::size_t kStart = 64;                    // bytes that the buffer's place in memory is a multiple of
+constexpr std::size_t kBoundsText = 2 * 3 * 32 + 32;  // of the JSON that set_bounds() adds, at most
 
 std::size_t aligned(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 
@@ -91,24 +94,30 @@ void Document::set_node_extras(int node, const nlohmann::json& extras) {
 void Document::set_asset_extras(std::string extras) { model_->extras = std::move(extras); }
 
 void Document::allocate(Container container) {
-    constexpr std::size_t kBound = 2 * 3 * 32 + 32;  // bytes of the JSON that set_bounds adds, at most
     const bool is_text = container == Container::kGltf;
+    const auto bounded = std::ranges::count_if(model_->accessors, &Accessor::is_bounded);
     JsonText json;
     write_json(*model_, json, is_text ? [](JsonText&) {} : std::function<void(JsonText&)>());
-    const std::size_t all = is_text ? base64_bytes(model_->bytes) : model_->bytes + kGlbHeads;
-    // Room that is never written costs nothing, room that is missing costs a copy of everything.
-    model_->buffer.reserve(all + json.bytes() + kBound * model_->accessors.size() + kAlignment);
-    model_->buffer.resize(model_->bytes);
+    const std::size_t text = json.bytes() + kBoundsText * static_cast<std::size_t>(bounded);
+    // What stands before the buffer ends where the buffer begins, however long it is: it is never moved.
+    model_->first = is_text ? 0 : (kGlbHeads + text + kStart - 1) / kStart * kStart;
+    const std::size_t end = model_->first + model_->bytes;
+    model_->memory = memory::take_buffer(end, is_text ? base64_bytes(model_->bytes) + text + 1 : end);
+    for (const Model::View& view : model_->views) {
+        char* const data = model_->memory.data() + model_->first + view.offset;
+        std::fill(data + view.bytes, data + aligned(view.bytes), '\0');
+    }
 }
 
 std::span<std::byte> Document::bytes(int accessor) {
     const Accessor& at = model_->accessors[static_cast<std::size_t>(accessor)];
     const std::size_t size = at.count * (at.component == Component::kU16 ? 2 : 4) * width_of(at.shape);
     const std::size_t start = model_->views[static_cast<std::size_t>(at.view)].offset + at.offset;
-    return std::as_writable_bytes(std::span(model_->buffer)).subspan(start, size);
+    return std::as_writable_bytes(std::span(model_->memory)).subspan(model_->first + start, size);
 }
 
 void Document::set_bounds(int accessor) {
+    if (!model_->accessors[static_cast<std::size_t>(accessor)].is_bounded) return;
     const std::span<const float> values = data<float>(accessor);
     const std::size_t width = width_of(model_->accessors[static_cast<std::size_t>(accessor)].shape);
     Model::Bounded bounds{accessor, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)}, {}};
@@ -123,31 +132,35 @@ void Document::set_bounds(int accessor) {
     model_->bounds.push_back(std::move(bounds));
 }
 
-std::string Document::write(Container container) { return container == Container::kGlb ? write_glb() : write_gltf(); }
-
-std::string Document::write_glb() {
-    JsonText json;
-    write_json(*model_, json, {});
-    const std::size_t text = aligned(json.bytes()), data = model_->bytes, heads = data > 0 ? kGlbHeads : kGlbHeads - 8;
-    std::string& file = model_->buffer;
-    file.resize(heads + text + data);
-    char* at = file.data();
-    std::memmove(at + heads + text, at, data);
-    at = write_number(write_number(write_number(at, 0x46546C67), 2), file.size());
-    at = write_number(write_number(at, text), 0x4E4F534A);
-    JsonText written(at);
-    write_json(*model_, written, {});
-    std::fill(at + json.bytes(), at + text, ' ');
-    if (data > 0) write_number(write_number(at + text, data), 0x004E4942);
-    return std::move(file);
+void Document::set_bounds(int accessor, const Bounds& bounds) {
+    if (!model_->accessors[static_cast<std::size_t>(accessor)].is_bounded) return;
+    model_->bounds.push_back(
+        {accessor, {bounds.least.begin(), bounds.least.end()}, {bounds.most.begin(), bounds.most.end()}});
 }
 
-std::string Document::write_gltf() {
+File Document::write(Container container) { return container == Container::kGlb ? write_glb() : write_gltf(); }
+
+File Document::write_glb() {
+    char* const start = model_->memory.data();
+    JsonText json(start);
+    write_json(*model_, json, {});
+    const std::size_t data = model_->bytes, heads = data > 0 ? kGlbHeads : kGlbHeads - 8;
+    const std::size_t text = aligned(json.bytes()), first = model_->first - heads - text;
+    char* const at = start + first + kGlbHeads - 8;
+    std::memmove(at, start, json.bytes());
+    std::fill(at + json.bytes(), at + text, ' ');
+    char* const to = write_number(write_number(start + first, 0x46546C67), 2);
+    write_number(write_number(write_number(to, heads + text + data), text), 0x4E4F534A);
+    if (data > 0) write_number(write_number(at + text, data), 0x004E4942);
+    return {std::move(model_->memory), first};
+}
+
+File Document::write_gltf() {
     std::size_t before = 0;  // bytes of JSON that stand before the buffer
     JsonText json;
     write_json(*model_, json, [&](const JsonText& so_far) { before = so_far.bytes(); });
     const std::size_t data = model_->bytes, encoded = base64_bytes(data);
-    std::string& file = model_->buffer;
+    std::string& file = model_->memory;
     file.resize(json.bytes() + encoded + 1);
     char* const text = file.data() + before;
     std::memmove(text + (encoded - data), file.data(), data);
@@ -155,7 +168,7 @@ std::string Document::write_gltf() {
     JsonText written(file.data());
     write_json(*model_, written, [&](JsonText& to) { to.skip(encoded); });
     file.back() = '\n';
-    return std::move(file);
+    return {std::move(file)};
 }
 
 }  // namespace tuftwave::server::gltf

@@ -8,12 +8,23 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "gltf/bounds.hpp"
 
 namespace tuftwave::server::gltf {
 
 /// How a document is packed: one binary file, or JSON with its buffer embedded.
 enum class Container { kGlb, kGltf };
+
+/// The bytes of a file, which do not begin where their memory does.
+struct File {
+    std::string memory;
+    std::size_t first = 0;
+
+    std::string_view bytes() const { return std::string_view(memory).substr(first); }
+};
 
 /// A glTF 2.0 document in the making. Its one buffer is written in place, and so is the file around it, since an answer
 /// may have 100 MiB: there is never a second copy. Order of use: reserve views and accessors, allocate, fill, write
@@ -30,6 +41,7 @@ class Document {
         std::size_t count = 0;
         Component component = Component::kF32;
         Shape shape = Shape::kScalar;
+        bool is_bounded = false;  ///< whether it is to have bounds, for which there must be room
     };
     struct Node {
         std::string name;
@@ -69,8 +81,8 @@ class Document {
     void set_node_extras(int node, const nlohmann::json& extras);
     void set_asset_extras(std::string extras);  ///< @param extras  an object's text
 
-    /// Makes the buffer; call once, when all but bounds is said. Zero-filled. @param container  that it will be written
-    /// as
+    /// Makes the buffer; call once, when all but bounds is said. Whatever it holds then must be written over.
+    /// @param container  that it will be written as
     void allocate(Container container);
     /// The bytes of an accessor.
     std::span<std::byte> bytes(int accessor);
@@ -79,17 +91,18 @@ class Document {
         const std::span<std::byte> raw = bytes(accessor);
         return {reinterpret_cast<T*>(raw.data()), raw.size() / sizeof(T)};
     }
-    /// Writes an accessor's exact bounds from its data, which must be float32.
+    /// Writes the exact bounds of an accessor that is to have some, from its data, which must be float32.
     void set_bounds(int accessor);
+    void set_bounds(int accessor, const Bounds& bounds);
 
     /// The file. @param container  as given to allocate()
-    std::string write(Container container);
+    File write(Container container);
 
     struct Model;
 
   private:
-    std::string write_glb();
-    std::string write_gltf();
+    File write_glb();
+    File write_gltf();
 
     std::unique_ptr<Model> model_;
 };

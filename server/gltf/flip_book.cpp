@@ -37,7 +37,7 @@ void FlipBook::reserve_shared() {
     indices_ = document_.add_accessor({document_.add_view(Purpose::kIndex, plan_.indices * (is_short ? 2 : 4)), 0,
                                        plan_.indices, is_short ? Component::kU16 : Component::kU32, Shape::kScalar});
     times_ = document_.add_accessor({document_.add_view(Purpose::kData, keys_.times.size() * sizeof(float)), 0,
-                                     keys_.times.size(), Component::kF32, Shape::kScalar});
+                                     keys_.times.size(), Component::kF32, Shape::kScalar, true});
 }
 
 void FlipBook::reserve_pages(int root, int material) {
@@ -48,7 +48,7 @@ void FlipBook::reserve_pages(int root, int material) {
     const int scales = document_.add_view(Purpose::kData, pictures * scale_bytes);
     for (std::size_t n = 0; n < pictures; ++n) {
         const auto vectors = [&](int view, std::size_t size, std::size_t count) {
-            return document_.add_accessor({view, n * size, count, Component::kF32, Shape::kVec3});
+            return document_.add_accessor({view, n * size, count, Component::kF32, Shape::kVec3, view == positions});
         };
         Page page{0, vectors(positions, bytes, plan_.vertices), vectors(normals, bytes, plan_.vertices),
                   vectors(scales, scale_bytes, keys_.times.size())};
@@ -75,7 +75,8 @@ void FlipBook::fill(const ForEach& for_each, const std::stop_token& stop) {
     std::ranges::copy(keys_.times, document_.data<float>(times_).begin());
     document_.set_bounds(times_);
     fill_scales();
-    for (const Page& page : pages_) document_.set_bounds(page.positions);
+    for (const Page& page : pages_)
+        document_.set_bounds(page.positions, bounds_of(document_.data<float>(page.positions)));
 }
 
 void FlipBook::fill_tuft(std::size_t tuft, std::size_t first_vertex, std::size_t first_index) {

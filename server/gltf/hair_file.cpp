@@ -26,8 +26,8 @@ std::array<double, 3> linear_color(const std::string& color) {
     return {linear_channel(color.substr(1, 2)), linear_channel(color.substr(3, 2)), linear_channel(color.substr(5, 2))};
 }
 
-std::string flip_book_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
-                           Container container, const ForEach& for_each, const std::stop_token& stop) {
+File flip_book_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
+                    Container container, const ForEach& for_each, const std::stop_token& stop) {
     Document document(kGenerator);
     document.set_asset_extras(std::move(asset_extras));
     const int material = document.add_material("hair", linear_color(look.color));
@@ -39,23 +39,26 @@ std::string flip_book_file(const HairPlan& plan, const Look& look, std::string a
 
 }  // namespace
 
-std::string hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
-                      Container container, const ForEach& for_each, const std::stop_token& stop) {
+File hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip, Container container,
+               const ForEach& for_each, const std::stop_token& stop) {
     if (plan.motion && clip.kind == ClipKind::kFlipBook)
         return flip_book_file(plan, look, std::move(asset_extras), clip, container, for_each, stop);
     Document document(kGenerator);
     document.set_asset_extras(std::move(asset_extras));
-    const std::vector<std::string> names = claim_names(plan.chains, "tuft");
-    const SkeletonNodes skeleton(document, plan.chains, names);
+    const bool has_skin = plan.hairstyle->mesh.skin, is_merged = look.layout == Layout::kMerged;
+    std::vector<std::string> names;
+    if (has_skin || !is_merged) names = claim_names(plan.chains, "tuft");
+    std::optional<SkeletonNodes> skeleton;
+    if (has_skin) skeleton.emplace(document, plan.chains, names);
     HairMeshes meshes(document, plan);
     const int material = document.add_material("hair", linear_color(look.color));
-    if (look.layout == Layout::kMerged) {
-        meshes.reserve_merged(skeleton, material);
+    if (is_merged) {
+        meshes.reserve_merged(skeleton ? &*skeleton : nullptr, material);
     } else {
-        meshes.reserve_per_tuft(names, skeleton, material);
+        meshes.reserve_per_tuft(names, skeleton ? &*skeleton : nullptr, material);
     }
     std::optional<HeldClip> keys;
-    if (plan.motion) keys.emplace(document, skeleton, clip_keys(plan.motion->schedule, clip.holding), clip.extras);
+    if (plan.motion) keys.emplace(document, *skeleton, clip_keys(plan.motion->schedule, clip.holding), clip.extras);
 
     document.allocate(container);
     meshes.fill(for_each, stop);
@@ -63,8 +66,8 @@ std::string hair_file(const HairPlan& plan, const Look& look, std::string asset_
     return document.write(container);
 }
 
-std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, std::string asset_extras,
-                      const Clip& clip, Container container) {
+File clip_file(std::span<const Chain> chains, const HairMotion& motion, std::string asset_extras, const Clip& clip,
+               Container container) {
     Document document(kGenerator);
     document.set_asset_extras(std::move(asset_extras));
     const SkeletonNodes skeleton(document, chains, claim_names(chains, "chain"));

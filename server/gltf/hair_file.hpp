@@ -33,11 +33,11 @@ struct Clip {
 /// @param asset_extras  text of an object, as extras_text() writes it; goes into asset.extras
 /// @param clip          ignored when nothing moves
 /// Deterministic for any `for_each`; incomplete once `stop` is set.
-std::string hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip,
-                      Container container, const ForEach& for_each, const std::stop_token& stop);
+File hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip, Container container,
+               const ForEach& for_each, const std::stop_token& stop);
 
 /// Writes a skeleton and its clip, without meshes.
-std::string clip_file(std::span<const Chain> chains, const HairMotion& motion, std::string asset_extras,
-                      const Clip& clip, Container container);
+File clip_file(std::span<const Chain> chains, const HairMotion& motion, std::string asset_extras, const Clip& clip,
+               Container container);
 
 }  // namespace tuftwave::server::gltf

@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "gltf/bounds.hpp"
 #include "gltf/index_type.hpp"
 
 namespace tuftwave::server::gltf {
@@ -27,38 +28,43 @@ void fill_matrices(const Chain& chain, std::span<float> out) {
 HairMeshes::HairMeshes(Document& document, const HairPlan& plan)
     : document_(document),
       plan_(plan),
+      has_skin_(plan.hairstyle->mesh.skin),
       positions_(document.add_view(Purpose::kAttribute, plan.vertices * 12, 12)),
       normals_(document.add_view(Purpose::kAttribute, plan.vertices * 12, 12)),
-      uvs_(document.add_view(Purpose::kAttribute, plan.vertices * 8, 8)),
-      joints_(document.add_view(Purpose::kAttribute, plan.vertices * 8, 8)),
-      weights_(document.add_view(Purpose::kAttribute, plan.vertices * 16, 16)) {}
+      uvs_(document.add_view(Purpose::kAttribute, plan.vertices * 8, 8)) {
+    if (!has_skin_) return;
+    joints_ = document.add_view(Purpose::kAttribute, plan.vertices * 8, 8);
+    weights_ = document.add_view(Purpose::kAttribute, plan.vertices * 16, 16);
+}
 
-void HairMeshes::reserve_per_tuft(const std::vector<std::string>& names, const SkeletonNodes& skeleton, int material) {
+void HairMeshes::reserve_per_tuft(const std::vector<std::string>& names, const SkeletonNodes* skeleton, int material) {
     const std::map<Shape, int> triangles = reserve_shared_indices();
-    const int matrices = document_.add_view(Purpose::kData, plan_.joints * kMatrixBytes);
+    const int matrices = has_skin_ ? document_.add_view(Purpose::kData, plan_.joints * kMatrixBytes) : -1;
     std::size_t first_vertex = 0, first_joint = 0;
     for (std::size_t i = 0; i < plan_.tufts.size(); ++i) {
         const MeshPlan& tuft = plan_.tufts[i];
-        add_part(first_vertex, tuft.vertex_count(), triangles.at({tuft.rings.size(), tuft.sides, tuft.flat_tip}));
-        const int skin = add_skin(skeleton.chains()[i].joints, matrices, first_joint, skeleton.root());
+        add_part(first_vertex, tuft.vertex_count(), triangles.at({tuft.ring_count, tuft.sides, tuft.flat_tip}));
+        std::optional<int> skin;
+        if (has_skin_) skin = add_skin(skeleton->chains()[i].joints, matrices, first_joint, skeleton->root());
         add_mesh_node(names[i], skin, material, plan_.chains[i].name);
         first_vertex += tuft.vertex_count();
         first_joint += static_cast<std::size_t>(tuft.joints);
     }
 }
 
-void HairMeshes::reserve_merged(const SkeletonNodes& skeleton, int material) {
+void HairMeshes::reserve_merged(const SkeletonNodes* skeleton, int material) {
     is_merged_ = true;
     const bool is_short = fits_short(plan_.vertices);
     const int view = document_.add_view(Purpose::kIndex, plan_.indices * (is_short ? 2 : 4));
     const int indices = document_.add_accessor(
         {view, 0, plan_.indices, is_short ? Component::kU16 : Component::kU32, Document::Shape::kScalar});
+    add_part(0, plan_.vertices, indices);
+    if (!has_skin_) return add_mesh_node("hair", {}, material, "");
     const int matrices = document_.add_view(Purpose::kData, plan_.joints * kMatrixBytes);
     std::vector<int> joints;
-    for (const ChainNodes& chain : skeleton.chains())
+    for (const ChainNodes& chain : skeleton->chains())
         joints.insert(joints.end(), chain.joints.begin(), chain.joints.end());
-    add_part(0, plan_.vertices, indices);
-    add_mesh_node("hair", add_skin(joints, matrices, 0, skeleton.root()), material, "");
+    add_mesh_node("hair", add_skin(joints, matrices, 0, skeleton->root()), material, "");
 }
 
 std::map<HairMeshes::Shape, int> HairMeshes::reserve_shared_indices() {
@@ -67,7 +73,7 @@ std::map<HairMeshes::Shape, int> HairMeshes::reserve_shared_indices() {
     std::size_t bytes = 0;
     for (const MeshPlan& tuft : plan_.tufts) {
         const int next = static_cast<int>(wanted.size());
-        if (!accessors.emplace(Shape{tuft.rings.size(), tuft.sides, tuft.flat_tip}, next).second) continue;
+        if (!accessors.emplace(Shape{tuft.ring_count, tuft.sides, tuft.flat_tip}, next).second) continue;
         const bool is_short = fits_short(tuft.vertex_count());
         wanted.push_back(
             {0, bytes, tuft.index_count(), is_short ? Component::kU16 : Component::kU32, Document::Shape::kScalar});
@@ -87,13 +93,16 @@ std::map<HairMeshes::Shape, int> HairMeshes::reserve_shared_indices() {
 
 void HairMeshes::add_part(std::size_t first_vertex, std::size_t count, int indices) {
     const auto accessor = [&](int view, std::size_t stride, Component component, Document::Shape shape) {
-        return document_.add_accessor({view, first_vertex * stride, count, component, shape});
+        return document_.add_accessor({view, first_vertex * stride, count, component, shape, view == positions_});
     };
-    parts_.push_back({accessor(positions_, 12, Component::kF32, Document::Shape::kVec3),
-                      accessor(normals_, 12, Component::kF32, Document::Shape::kVec3),
-                      accessor(uvs_, 8, Component::kF32, Document::Shape::kVec2),
-                      accessor(joints_, 8, Component::kU16, Document::Shape::kVec4),
-                      accessor(weights_, 16, Component::kF32, Document::Shape::kVec4), indices});
+    Part& part = parts_.emplace_back();
+    part.positions = accessor(positions_, 12, Component::kF32, Document::Shape::kVec3);
+    part.normals = accessor(normals_, 12, Component::kF32, Document::Shape::kVec3);
+    part.uvs = accessor(uvs_, 8, Component::kF32, Document::Shape::kVec2);
+    part.indices = indices;
+    if (!has_skin_) return;
+    part.joints = accessor(joints_, 8, Component::kU16, Document::Shape::kVec4);
+    part.weights = accessor(weights_, 16, Component::kF32, Document::Shape::kVec4);
 }
 
 int HairMeshes::add_skin(const std::vector<int>& joints, int view, std::size_t first_joint, int root) {
@@ -102,7 +111,8 @@ int HairMeshes::add_skin(const std::vector<int>& joints, int view, std::size_t f
     return document_.add_skin(joints, matrices_.back(), root);
 }
 
-void HairMeshes::add_mesh_node(const std::string& name, int skin, int material, const std::string& given_name) {
+void HairMeshes::add_mesh_node(const std::string& name, std::optional<int> skin, int material,
+                               const std::string& given_name) {
     const Part& part = parts_.back();
     const int mesh = document_.add_mesh(
         name, {part.positions, part.normals, part.uvs, part.joints, part.weights, part.indices, material});
@@ -129,24 +139,41 @@ std::vector<HairMeshes::Start> HairMeshes::tuft_starts() const {
 
 void HairMeshes::fill(const ForEach& for_each, const std::stop_token& stop) {
     const std::vector<Start> starts = tuft_starts();
-    for_each(plan_.tufts.size(), [&](std::size_t i) {
-        if (!stop.stop_requested()) fill_tuft(plan_.tufts[i], plan_.chains[i], starts[i]);
+    std::vector<Bounds> bounds(starts.size());
+    for_each(starts.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) bounds[i] = fill_tuft(i, starts[i]);
     });
     for (const auto& [tuft, accessor] : index_owners_) fill_indices(*tuft, accessor, 0, 0);
-    for (const Part& part : parts_) document_.set_bounds(part.positions);
+    set_bounds(starts, bounds);
 }
 
-void HairMeshes::fill_tuft(const MeshPlan& tuft, const Chain& chain, const Start& start) {
+void HairMeshes::set_bounds(std::span<const Start> starts, std::span<const Bounds> bounds) {
+    for (std::size_t i = 0; i < starts.size();) {
+        Bounds whole = bounds[i];
+        const std::size_t part = starts[i].part;
+        for (++i; i < starts.size() && starts[i].part == part; ++i) whole.include(bounds[i]);
+        document_.set_bounds(parts_[part].positions, whole);
+    }
+}
+
+Bounds HairMeshes::fill_tuft(std::size_t tuft, const Start& start) {
+    MeshPlan made;
+    const MeshPlan& mesh = mesh_plan(plan_, tuft, made);
     const Part& part = parts_[start.part];
-    const std::size_t count = tuft.vertex_count();
+    const std::size_t count = mesh.vertex_count();
     const auto floats = [&](int accessor, std::size_t width) {
         return document_.data<float>(accessor).subspan(width * start.vertex, width * count);
     };
-    write_vertices(tuft, {floats(part.positions, 3), floats(part.normals, 3), floats(part.uvs, 2),
-                          document_.data<std::uint16_t>(part.joints).subspan(4 * start.vertex, 4 * count),
-                          floats(part.weights, 4), static_cast<std::uint16_t>(start.joint)});
-    if (is_merged_) fill_indices(tuft, part.indices, start.index, start.vertex);
-    fill_matrices(chain, document_.data<float>(matrices_[start.part]).subspan(16 * start.joint));
+    MeshSpans spans{floats(part.positions, 3), floats(part.normals, 3), floats(part.uvs, 2), {}, {}};
+    if (has_skin_) {
+        spans.joints = document_.data<std::uint16_t>(*part.joints).subspan(4 * start.vertex, 4 * count);
+        spans.weights = floats(*part.weights, 4);
+        spans.first_joint = static_cast<std::uint16_t>(start.joint);
+        fill_matrices(plan_.chains[tuft], document_.data<float>(matrices_[start.part]).subspan(16 * start.joint));
+    }
+    write_vertices(mesh, spans);
+    if (is_merged_) fill_indices(mesh, part.indices, start.index, start.vertex);
+    return bounds_of(spans.positions);
 }
 
 void HairMeshes::fill_indices(const MeshPlan& tuft, int accessor, std::size_t first_index, std::size_t first_vertex) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -21,10 +22,10 @@ class HairMeshes {
     HairMeshes(Document& document, const HairPlan& plan);
 
     /// Each tuft on its own; tufts of one shape share their triangles.
-    void reserve_per_tuft(const std::vector<std::string>& names, const SkeletonNodes& skeleton, int material);
+    void reserve_per_tuft(const std::vector<std::string>& names, const SkeletonNodes* skeleton, int material);
 
-    /// All tufts as one mesh with one skin.
-    void reserve_merged(const SkeletonNodes& skeleton, int material);
+    /// All tufts as one mesh with one skin. @param skeleton  null where nothing hangs on bones
+    void reserve_merged(const SkeletonNodes* skeleton, int material);
 
     /// Writes every vertex, triangle and bind matrix; call after document.allocate(). Leaves tufts out once `stop` is
     /// set.
@@ -32,7 +33,8 @@ class HairMeshes {
 
   private:
     struct Part {
-        int positions, normals, uvs, joints, weights, indices;  // accessors
+        int positions, normals, uvs, indices;  // accessors
+        std::optional<int> joints, weights;
     };
     struct Start {
         std::size_t part, vertex, index, joint;  // vertex, index and joint count within the part
@@ -42,14 +44,16 @@ class HairMeshes {
     std::map<Shape, int> reserve_shared_indices();
     void add_part(std::size_t first_vertex, std::size_t count, int indices);
     int add_skin(const std::vector<int>& joints, int view, std::size_t first_joint, int root);
-    void add_mesh_node(const std::string& name, int skin, int material, const std::string& given_name);
+    void add_mesh_node(const std::string& name, std::optional<int> skin, int material, const std::string& given_name);
     std::vector<Start> tuft_starts() const;
-    void fill_tuft(const MeshPlan& tuft, const Chain& chain, const Start& start);
+    Bounds fill_tuft(std::size_t tuft, const Start& start);
+    void set_bounds(std::span<const Start> starts, std::span<const Bounds> bounds);
     void fill_indices(const MeshPlan& tuft, int accessor, std::size_t first_index, std::size_t first_vertex);
 
     Document& document_;
     const HairPlan& plan_;
-    int positions_, normals_, uvs_, joints_, weights_;  // views
+    bool has_skin_;
+    int positions_, normals_, uvs_, joints_ = -1, weights_ = -1;  // views
     bool is_merged_ = false;
     std::vector<Part> parts_;
     std::vector<int> matrices_;                                  // accessors

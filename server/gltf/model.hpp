@@ -56,8 +56,9 @@ struct Document::Model {
     std::vector<Mesh> meshes;
     std::vector<Skin> skins;
     std::vector<Animation> animations;
-    std::string buffer;  ///< its first `bytes` are the buffer's; there is room for the answer around them
-    std::size_t bytes = 0;
+    std::string memory;     ///< of the whole file
+    std::size_t first = 0;  ///< where in it the buffer begins
+    std::size_t bytes = 0;  ///< of the buffer
 };
 
 /// Numbers in an element of an accessor.

@@ -59,7 +59,7 @@ HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys k
     std::size_t joints = 0;
     for (const ChainNodes& chain : skeleton.chains()) joints += chain.joints.size();
     times_ = document.add_accessor({document.add_view(Document::Purpose::kData, count * sizeof(float)), 0, count,
-                                    Document::Component::kF32, Document::Shape::kScalar});
+                                    Document::Component::kF32, Document::Shape::kScalar, true});
     const int view = document.add_view(Document::Purpose::kData, joints * bytes);
     std::vector<Document::Channel> channels;
     for (const ChainNodes& chain : skeleton.chains()) {

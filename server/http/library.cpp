@@ -109,7 +109,7 @@ Message Library::message(const std::string_view method, Response answer, const b
     if (closes) add_header(head, "Connection", "close");
     head += kEnd;
     if (method == "HEAD") return {std::move(head), "", {}};
-    return {std::move(head), std::move(answer.body), answer.constant};
+    return {std::move(head), std::move(answer.body), answer.constant, answer.first};
 }
 
 }  // namespace tuftwave::server

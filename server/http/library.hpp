@@ -13,8 +13,9 @@ namespace tuftwave::server {
 struct Message {
     std::string head, body;
     std::string_view constant{};  ///< in place of `body`, as in Response
+    std::size_t first = 0;        ///< where in `body` what is sent begins
 
-    std::string_view content() const { return constant.empty() ? std::string_view(body) : constant; }
+    std::string_view content() const { return constant.empty() ? std::string_view(body).substr(first) : constant; }
     std::size_t size() const { return head.size() + content().size(); }
     std::size_t memory() const { return head.size() + body.size(); }
 };

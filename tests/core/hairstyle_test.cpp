@@ -69,6 +69,34 @@ TEST(Hairstyle, WithoutMotionStaysStill) {
     EXPECT_FALSE(plan->motion);
 }
 
+TEST(Hairstyle, KeepsNoMoreThanSizesWhereRingsAreGivenAndNothingHangsOnBones) {
+    Hairstyle hairstyle = moving_hair();
+    hairstyle.motion.reset();
+    hairstyle.mesh.rings = 9;
+    hairstyle.fills.push_back({0, 1, {}});
+    const Result<HairPlan> skinned = planned(hairstyle);
+    hairstyle.mesh.skin = false;
+    const Result<HairPlan> plan = planned(hairstyle);
+    ASSERT_TRUE(skinned && plan);
+    ASSERT_GT(plan->tufts.size(), hairstyle.tufts.size());
+    EXPECT_EQ(plan->vertices, skinned->vertices);
+    EXPECT_EQ(plan->indices, skinned->indices);
+    EXPECT_EQ(plan->joints, 0u);
+    MeshPlan made;
+    for (std::size_t i = 0; i < plan->tufts.size(); ++i) {
+        EXPECT_TRUE(plan->tufts[i].rings.empty());
+        EXPECT_EQ(plan->chains[i].name, skinned->chains[i].name);
+        const Mesh mesh = to_mesh(mesh_plan(*plan, i, made));
+        EXPECT_EQ(mesh.positions, to_mesh(mesh_plan(*skinned, i, made)).positions) << i;
+    }
+}
+
+TEST(Hairstyle, MovesOnlyWhatHangsOnBones) {
+    Hairstyle hairstyle = moving_hair();
+    hairstyle.mesh.skin = false;
+    EXPECT_TRUE(is_refused(planned(hairstyle), ErrorCode::kConflict, "/mesh/skin"));
+}
+
 TEST(Hairstyle, IsTheSameInWhateverOrderItIsPlanned) {
     Hairstyle hairstyle = moving_hair();
     for (Tuft& tuft : test::tight_tufts()) hairstyle.tufts.push_back(tuft);

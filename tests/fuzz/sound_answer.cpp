@@ -64,7 +64,7 @@ bool is_vmd(const std::string& body) {
 }
 
 bool is_as_it_says(const Response& response) {
-    const std::string& body = response.body;
+    const std::string body(response.content());
     const std::string type = response.content_type.substr(0, response.content_type.find(';'));
     if (type == "application/json" || type == "model/gltf+json") return json::accept(body);
     if (type == "model/gltf-binary") return is_glb(body);

@@ -17,14 +17,15 @@ std::string file_of(std::size_t floats, Container container) {
     Document document("me");
     document.set_asset_extras(R"({"x":"\"buffers\":[{}]"})");
     const int view = document.add_view(Document::Purpose::kData, floats * 4);
-    const int values = document.add_accessor({view, 0, floats});
+    const int values =
+        document.add_accessor({view, 0, floats, Document::Component::kF32, Document::Shape::kScalar, true});
     const int node = document.add_node({"n", {}, {}, {}, {}});
     document.add_to_scene(node);
     document.add_animation("wave", values, Document::Interpolation::kStep, {{node, values}}, Json{{"frames", 3}});
     document.allocate(container);
     for (std::size_t i = 0; i < floats; ++i) document.data<float>(values)[i] = static_cast<float>(i);
     document.set_bounds(values);
-    return document.write(container);
+    return std::string(document.write(container).bytes());
 }
 
 TEST(Document, WritesBufferAndTextIntoOneFile) {

@@ -163,7 +163,7 @@ TEST(FilledHairstyles, TheRecipeKeepsScalpAndFillsAndMakesTheSameFileAgain) {
         const Answer answer = answer_to(json_post("/v1/hairstyles", body.dump()));
         const auto* response = std::get_if<Response>(&answer);
         EXPECT_NE(response, nullptr) << slug_of(answer) << " at " << pointer_of(answer);
-        return response == nullptr ? "" : response->body;
+        return response == nullptr ? "" : std::string(response->content());
     };
     const std::string first = posted(filled_hairstyle());
     const nlohmann::json recipe = glb_json(first)["asset"]["extras"]["tuftwave"]["hairstyle"];

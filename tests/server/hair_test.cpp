@@ -10,7 +10,7 @@ namespace {
 std::string body_of(const Answer& answer) {
     const auto* response = std::get_if<Response>(&answer);
     EXPECT_NE(response, nullptr) << slug_of(answer) << " at " << pointer_of(answer);
-    return response == nullptr ? "" : response->body;
+    return response == nullptr ? "" : std::string(response->content());
 }
 
 std::string posted(const nlohmann::json& body, const std::string& accept = "") {
@@ -61,6 +61,26 @@ TEST(Hairstyles, MergedLayoutIsOneMeshWithOneSkin) {
     const nlohmann::json gltf = glb_json(posted(body));
     EXPECT_EQ(gltf["meshes"].size(), 1U);
     EXPECT_EQ(gltf["skins"][0]["joints"].size(), 12U);
+}
+
+TEST(Hairstyles, WithoutASkinThereAreMeshesAlone) {
+    nlohmann::json body = small_hairstyle();
+    body.erase("motion");
+    body["tufts"].push_back(body["tufts"][0]);
+    body["mesh"]["skin"] = false;
+    for (const std::string layout : {"per_tuft", "merged"}) {
+        body["mesh"]["layout"] = layout;
+        const nlohmann::json gltf = glb_json(posted(body));
+        const std::size_t meshes = layout == "merged" ? 1 : 2;
+        EXPECT_EQ(gltf["meshes"].size(), meshes);
+        EXPECT_EQ(gltf["nodes"].size(), meshes);
+        EXPECT_FALSE(gltf.contains("skins"));
+        EXPECT_EQ(gltf["meshes"][0]["primitives"][0]["attributes"].size(), 3U);
+        EXPECT_EQ(gltf["asset"]["extras"]["tuftwave"]["hairstyle"]["mesh"]["skin"], false);
+    }
+    EXPECT_EQ(nlohmann::json::parse(posted(body, "application/json"))["totals"]["joints"], 0);
+    body["motion"] = nlohmann::json::object();
+    EXPECT_EQ(pointer_of(answer_to(json_post("/v1/hairstyles", body.dump()))), "/mesh/skin");
 }
 
 TEST(Hairstyles, AFlipBookIsAMeshPerPictureWithoutSkins) {

@@ -42,7 +42,7 @@ TEST(Motions, WarnAboutAnUnusualNumberOfPictures) {
 
 TEST(Motions, ClipHasOneChannelPerBoneAndATipWithoutOne) {
     const Answer answer = answer_to(json_post("/v1/motions", one_chain().dump(), "model/gltf-binary"));
-    const nlohmann::json gltf = glb_json(std::get<Response>(answer).body);
+    const nlohmann::json gltf = glb_json(std::string(std::get<Response>(answer).content()));
     EXPECT_EQ(gltf["animations"][0]["channels"].size(), 2U);
     EXPECT_EQ(gltf["nodes"].size(), 4U);  // root, two joints, tip
     EXPECT_FALSE(gltf.contains("meshes"));
@@ -52,7 +52,7 @@ TEST(Motions, AChainsOwnNameIsKeptOnItsFirstJoint) {
     nlohmann::json body = one_chain();
     body["chains"][0]["name"] = "J_Sec_Hair1_01";  // too long for a VMD bone with a number behind it
     const Answer answer = answer_to(json_post("/v1/motions", body.dump(), "model/gltf-binary"));
-    const nlohmann::json gltf = glb_json(std::get<Response>(answer).body);
+    const nlohmann::json gltf = glb_json(std::string(std::get<Response>(answer).content()));
     EXPECT_EQ(gltf["nodes"][1]["name"], "chain_0001_01");
     EXPECT_EQ(gltf["nodes"][1]["extras"]["name"], "J_Sec_Hair1_01");
 }
@@ -89,7 +89,7 @@ TEST(Motions, AVmdHasThirtyFramesPerSecondWhateverIsAskedFor) {
         const Answer answer = posted_with({{"format", "vmd"}}, body);
         EXPECT_EQ(header_of(answer, "Tuftwave-Frame-Rate"), "30");
         EXPECT_EQ(header_of(answer, "Content-Disposition"), "attachment; filename=\"motion_30fps.vmd\"");
-        files.push_back(std::get<Response>(answer).body);
+        files.emplace_back(std::get<Response>(answer).content());
     }
     EXPECT_EQ(files[1], files[0]);
     EXPECT_EQ(files[2], files[0]);

@@ -55,6 +55,7 @@ struct MeshDetail {
     double tolerance = 3e-4;   ///< largest distance between surface and mesh along the tuft, metres (0.3 mm)
     std::optional<int> rings;  ///< this many rings per tuft, in place of the tolerance
     int sides = 12;            ///< corners of a ring
+    bool skin = true;          ///< false: no bones, and vertices that hang on none
 };
 
 /// @errors  too_few, too_many (points), not_finite, out_of_range, degenerate (no length; root at the head's center),
@@ -72,24 +73,28 @@ struct Ring {
 
 /// A tuft cut into rings: everything about its mesh but the vertices.
 struct MeshPlan {
+    std::size_t ring_count = 0;
     Vec3 root, tip;                      ///< the apexes of the two ends; the tip is the cap's middle where it is flat
     Vec3 root_direction, tip_direction;  ///< unit, outward at the two ends
-    std::vector<Ring> rings;             ///< without the apexes
+    std::vector<Ring> rings;             ///< without the apexes; none where only the mesh's size is planned
     std::vector<float> reach;  ///< per ring and corner, the share of its distance from the middle that is kept where
                                ///< the tuft bends more tightly than it is thick; empty where nothing is cut back
     bool flat_tip = false;     ///< p = 100: a cap at full width
     int sides = 0;
-    int joints = 0;  ///< bones of the chain that the vertices hang on
+    int joints = 0;  ///< bones of the chain that the vertices hang on; 0 without a skin
 
     std::size_t vertex_count() const;
     std::size_t index_count() const;
 };
 
-/// A tuft measured: how to mesh it, and its bones.
+/// A tuft measured: how to mesh it, and its bones. Without a skin the chain has a name and no nodes.
 struct PlannedTuft {
     MeshPlan mesh;
     Chain chain;
 };
+
+/// Plans no more than how large a tuft's mesh will be. @param detail  with a number of rings
+MeshPlan plan_mesh_size(const Tuft& tuft, const MeshDetail& detail);
 
 /// Measures a tuft and chooses its rings.
 /// @errors  those of check_tuft, too_many (rings)

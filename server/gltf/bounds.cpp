@@ -1,0 +1,45 @@
+#include "gltf/bounds.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tuftwave::server::gltf {
+namespace {
+
+/// Numbers that are looked at side by side: whole points, and whole vectors of four.
+constexpr std::size_t kSide = 12;
+
+}  // namespace
+
+void Bounds::include(const Bounds& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        least[axis] = std::min(least[axis], other.least[axis]);
+        most[axis] = std::max(most[axis], other.most[axis]);
+    }
+}
+
+Bounds bounds_of(std::span<const float> points) {
+    std::array<float, kSide> least, most;
+    for (std::size_t k = 0; k < kSide; ++k) least[k] = most[k] = points[k % 3];
+    std::size_t at = 0;
+    for (; at + kSide <= points.size(); at += kSide) {
+        for (std::size_t k = 0; k < kSide; ++k) {
+            const float value = points[at + k];
+            least[k] = value < least[k] ? value : least[k];
+            most[k] = value > most[k] ? value : most[k];
+        }
+    }
+    for (; at < points.size(); ++at) {
+        least[at % 3] = std::min(least[at % 3], points[at]);
+        most[at % 3] = std::max(most[at % 3], points[at]);
+    }
+    Bounds bounds{{least[0], least[1], least[2]}, {most[0], most[1], most[2]}};
+    for (std::size_t k = 3; k < kSide; k += 3)
+        bounds.include({{least[k], least[k + 1], least[k + 2]}, {most[k], most[k + 1], most[k + 2]}});
+    for (auto* const box : {&bounds.least, &bounds.most}) {
+        for (float& value : *box) value += 0.0F;  // which of two zeros was met first is no matter
+    }
+    return bounds;
+}
+
+}  // namespace tuftwave::server::gltf
