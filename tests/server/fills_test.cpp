@@ -62,8 +62,8 @@ TEST(Fills, ComeAsJsonGlbOrGltf) {
     const Response glb = answered(small_fill(), "model/gltf-binary");
     EXPECT_EQ(glb.content_type, "model/gltf-binary");
     EXPECT_EQ(glb.headers.back().second, "attachment; filename=\"fill.glb\"");
-    EXPECT_EQ(glb_json(glb.body)["meshes"].size(), 13U);
-    EXPECT_FALSE(glb_json(glb.body).contains("animations"));
+    EXPECT_EQ(glb_json(std::string(glb.content()))["meshes"].size(), 13U);
+    EXPECT_FALSE(glb_json(std::string(glb.content())).contains("animations"));
     EXPECT_EQ(fault(small_fill(), "text/csv"), "not_acceptable no field");
     Request request = json_post("/v1/fills", small_fill().dump());
     request.query = {{"format", "xdts"}};
@@ -72,7 +72,7 @@ TEST(Fills, ComeAsJsonGlbOrGltf) {
 
 TEST(Fills, AFileHoldsTheTuftsAsARecipe) {
     const nlohmann::json recipe =
-        glb_json(answered(small_fill(), "model/gltf-binary").body)["asset"]["extras"]["tuftwave"]["hairstyle"];
+        glb_json(std::string(answered(small_fill(), "model/gltf-binary").content()))["asset"]["extras"]["tuftwave"]["hairstyle"];
     EXPECT_EQ(recipe["tufts"], answered_json(small_fill())["tufts"]);
     EXPECT_FALSE(recipe.contains("fills"));
 }
