@@ -54,8 +54,4 @@ Laying::Laying(const Chain& chain, const Motion& motion) {
     if (motion.one_sided && chain.outward) axis_ = unit_or(cross(lifted, normalized(*chain.outward)), axis_);
 }
 
-Quat Laying::turn(std::size_t i, double angle) const {
-    return turn_about(axis_, angle) * lifts_[lifts_.size() == 1 ? 0 : i];
-}
-
 }  // namespace tuftwave

@@ -12,11 +12,11 @@ class Laying {
   public:
     Laying(const Chain& chain, const Motion& motion);
 
-    /// The turn of bone `i` away from its rest pose at wave angle `angle`, radians.
-    Quat turn(std::size_t i, double angle) const;
-
-    /// What a bone turns about, unit.
+    /// What all bones turn about by their wave angles, unit.
     const Vec3& axis() const { return axis_; }
+
+    /// How bone `i` is turned away from its rest pose before that.
+    const Quat& lift(std::size_t i) const { return lifts_[lifts_.size() == 1 ? 0 : i]; }
 
   private:
     Vec3 axis_;                // unit; a positive angle turns the hair towards up, or outward when one-sided

@@ -27,11 +27,6 @@ Vec3 any_perpendicular(const Vec3& a) {
     return normalized(Vec3{a.y, -a.x, 0});
 }
 
-Quat normalized(const Quat& q) {
-    const double norm = std::sqrt(dot(q, q));
-    return {q.x / norm, q.y / norm, q.z / norm, q.w / norm};
-}
-
 Quat turn_about(const Vec3& axis, const double angle) {
     const elementary::SinCos half = elementary::sincos(angle / 2);
     return {half.sin * axis.x, half.sin * axis.y, half.sin * axis.z, half.cos};

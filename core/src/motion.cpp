@@ -5,12 +5,10 @@
 // adds the wave to the rest pose.
 #include "tuftwave/motion.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "laying.hpp"
-#include "tuftwave/elementary.hpp"
+#include "swing.hpp"
 #include "tuftwave/random.hpp"
 #include "tuftwave/vector_checks.hpp"
 
@@ -78,57 +76,6 @@ ChainPhase used_phase(double phase, const Motion& motion, const Schedule& schedu
     return {0, static_cast<int>(pictures < 0 ? pictures - 0.5 : pictures + 0.5)};
 }
 
-/// The chords' angles of the hair line, radians: picture n, bone i at [n * bones + i].
-std::vector<double> wave_angles(const Chain& chain, const Motion& motion, const Schedule& schedule, ChainPhase ahead) {
-    const std::size_t nodes = chain.nodes.size();
-    std::vector<double> x(nodes, 0.0), envelope(nodes), height(nodes);
-    for (std::size_t i = 1; i < nodes; ++i) x[i] = x[i - 1] + length(chain.nodes[i] - chain.nodes[i - 1]);
-    const double whole = x.back();
-    for (std::size_t i = 0; i < nodes; ++i) {
-        const double share = whole > 0 ? x[i] / whole : static_cast<double>(i) / static_cast<double>(nodes - 1);
-        x[i] = i + 1 == nodes ? kPi : kPi * share;
-        envelope[i] = wave_envelope(motion.wave, x[i]);
-    }
-    const int cycles = chain.cycles.value_or(motion.phase.cycles);
-    std::vector<double> angles;
-    angles.reserve((nodes - 1) * static_cast<std::size_t>(schedule.pictures));
-    for (int n = 0; n < schedule.pictures; ++n) {
-        const double psi = picture_phase(schedule, n, cycles, ahead.pictures) + ahead.radians;
-        for (std::size_t i = 0; i < nodes; ++i) height[i] = wave_height(motion.wave, envelope[i], x[i], psi);
-        for (std::size_t i = 0; i + 1 < nodes; ++i)
-            angles.push_back(elementary::atan2(height[i + 1] - height[i], x[i + 1] - x[i]));
-    }
-    return angles;
-}
-
-/// Subtracts from each bone's angles what the motion's options leave out: the least one, or the mean.
-void shift_angles(std::vector<double>& angles, std::size_t bones, const Motion& motion) {
-    const bool remove =
-        motion.droop.value_or(motion.mode == Mode::kRelative ? Droop::kRemove : Droop::kKeep) == Droop::kRemove;
-    if (!motion.one_sided && !remove) return;
-    std::vector<double> sorted(angles.size() / bones);
-    for (std::size_t bone = 0; bone < bones; ++bone) {
-        for (std::size_t n = 0; n < sorted.size(); ++n) sorted[n] = angles[n * bones + bone];
-        // Summed in order of size, so that a chain some pictures ahead has the same mean to the last bit.
-        std::sort(sorted.begin(), sorted.end());
-        const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
-        const double shift = motion.one_sided ? sorted.front() : sum / static_cast<double>(sorted.size());
-        for (std::size_t at = bone; at < angles.size(); at += bones) angles[at] -= shift;
-    }
-}
-
-/// Turns each bone in model space and writes its local rotation.
-void pose_chain(const Chain& chain, const Laying& laying, std::span<const double> angles, std::span<Quat> rotations) {
-    Quat rest = normalized(chain.parent_rotation), parent = rest;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        rest = rest * normalized(chain.rest_rotations[i]);
-        const Quat global = laying.turn(i, angles[i]) * rest;
-        rotations[i] = normalized(inverse(parent) * global);
-        parent = global;
-    }
-    rotations[angles.size()] = normalized(chain.rest_rotations[angles.size()]);
-}
-
 /// Chooses between q and -q, which are one rotation: w >= 0 in the first picture, then the sign nearer to the one
 /// before.
 void make_continuous(std::vector<Quat>& rotations, std::size_t nodes) {
@@ -138,22 +85,22 @@ void make_continuous(std::vector<Quat>& rotations, std::size_t nodes) {
     }
 }
 
-ChainMotion move_chain(const Chain& chain, std::size_t index, const Motion& motion, const Schedule& schedule) {
-    const std::size_t nodes = chain.nodes.size(), bones = nodes - 1;
-    ChainMotion moved;
-    const ChainPhase ahead = used_phase(chain_phase(chain, index, motion), motion, schedule);
-    moved.phase = ahead.radians + 2 * kPi * ahead.pictures / schedule.pictures;
-    std::vector<double> angles = wave_angles(chain, motion, schedule, ahead);
-    shift_angles(angles, bones, motion);
+/// What the motion's options leave out of each bone's angles.
+Shift shift_of(const Motion& motion) {
+    if (motion.one_sided) return Shift::kLeast;
+    const Droop usual = motion.mode == Mode::kRelative ? Droop::kRemove : Droop::kKeep;
+    return motion.droop.value_or(usual) == Droop::kRemove ? Shift::kMean : Shift::kNone;
+}
 
-    const Laying laying(chain, motion);
-    moved.rotations.resize(nodes * static_cast<std::size_t>(schedule.pictures));
-    for (std::size_t n = 0; n < static_cast<std::size_t>(schedule.pictures); ++n) {
-        pose_chain(chain, laying, std::span(angles).subspan(n * bones, bones),
-                   std::span(moved.rotations).subspan(n * nodes, nodes));
-    }
-    make_continuous(moved.rotations, nodes);
-    return moved;
+ChainMotion move_chain(const Chain& chain, std::size_t index, const Motion& motion, const Schedule& schedule,
+                       Vectors vectors) {
+    const ChainPhase ahead = used_phase(chain_phase(chain, index, motion), motion, schedule);
+    const int cycles = chain.cycles.value_or(motion.phase.cycles);
+    std::vector<double> phases;
+    for (int n = 0; n < schedule.pictures; ++n)
+        phases.push_back(picture_phase(schedule, n, cycles, ahead.pictures) + ahead.radians);
+    return {ahead.radians + 2 * kPi * ahead.pictures / schedule.pictures,
+            swing(chain, Laying(chain, motion), motion.wave, phases, shift_of(motion), vectors)};
 }
 
 }  // namespace
@@ -180,12 +127,12 @@ Check check_motion(const Motion& motion, const Schedule& schedule, const Limits&
 
 Result<std::vector<ChainMotion>> move_chains(std::span<const Chain> chains, const Motion& motion,
                                              const Schedule& schedule, const Limits& limits, const ForEach& for_each,
-                                             std::stop_token stop) {
+                                             std::stop_token stop, Vectors vectors) {
     if (Check wrong = check_motion(motion, schedule, limits)) return within("/motion", *wrong);
     if (Check wrong = check_chains(chains, motion, schedule, limits)) return within("/chains", *wrong);
     std::vector<ChainMotion> moved(chains.size());
     for_each(chains.size(), [&](std::size_t i) {
-        if (!stop.stop_requested()) moved[i] = move_chain(chains[i], i, motion, schedule);
+        if (!stop.stop_requested()) moved[i] = move_chain(chains[i], i, motion, schedule, vectors);
     });
     if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "", {}, "", {}, {}};
     return moved;

@@ -56,7 +56,10 @@ constexpr Quat operator-(const Quat& q) { return {-q.x, -q.y, -q.z, -q.w}; }
 constexpr double dot(const Quat& a, const Quat& b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
 
 /// @param q  not zero
-Quat normalized(const Quat& q);
+inline Quat normalized(const Quat& q) {
+    const double norm = std::sqrt(dot(q, q));
+    return {q.x / norm, q.y / norm, q.z / norm, q.w / norm};
+}
 
 /// `v` turned by `q`.
 constexpr Vec3 rotated(const Quat& q, const Vec3& v) {

@@ -13,6 +13,7 @@
 #include "tuftwave/schedule.hpp"
 #include "tuftwave/skeleton.hpp"
 #include "tuftwave/wave.hpp"
+#include "tuftwave/wide.hpp"
 
 namespace tuftwave {
 
@@ -64,11 +65,11 @@ struct ChainMotion {
 /// @param chains  checked; with one_sided each has `outward`
 /// @errors  those of check_motion, too_many (node poses), degenerate (one_sided without outward), conflict (a chain's
 ///          cycles), cancelled
-/// Cost O(pictures * nodes). Deterministic for any `for_each`.
+/// Cost O(pictures * nodes). Deterministic for any `for_each` and any `vectors`.
 /// Source: Furukawa and Nakata 2018, section 2, eq. (1).
 Result<std::vector<ChainMotion>> move_chains(std::span<const Chain> chains, const Motion& motion,
                                              const Schedule& schedule, const Limits& limits, const ForEach& for_each,
-                                             std::stop_token stop);
+                                             std::stop_token stop, Vectors vectors = widest_vectors());
 
 /// Model-space node positions of one pose, by forward kinematics from the chain's rest root.
 /// @param rotations  local, one per node
