@@ -104,5 +104,3 @@ BENCHMARK(pow);
 
 }  // namespace
 }  // namespace tuftwave
-
-BENCHMARK_MAIN();
