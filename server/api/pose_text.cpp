@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "api/write_nouns.hpp"
+#include "api/float_text.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -13,28 +13,23 @@ constexpr std::size_t kPoseBytes = 11 * kMostDigits + 3 * 3;
 constexpr std::size_t kChainBytes = 64;  // of keys and brackets
 
 template <std::size_t width>
-void append_numbers(std::string& out, const std::array<float, width>& numbers) {
-    char mark = '[';
-    for (const float number : numbers) {
-        char digits[64];
-        const double value = short_number(static_cast<double>(number));
-        out += mark;
-        out.append(digits, nlohmann::detail::to_chars(digits, digits + sizeof digits, value));
-        mark = ',';
-    }
-    out += ']';
-}
-
-template <std::size_t width>
 void append_list(std::string& out, std::string_view key, std::span<const NodePose> poses,
                  std::array<float, width> NodePose::*part) {
     out.append(key);
+    char mark = '[';
     for (const NodePose& pose : poses) {
-        append_numbers(out, pose.*part);
-        out += ',';
+        char text[width * (kFloatTextBytes + 1) + 3];
+        char* end = text;
+        *end++ = mark;
+        for (std::size_t i = 0; i < width; ++i) {
+            *end++ = i == 0 ? '[' : ',';
+            end = write_float(end, (pose.*part)[i]);
+        }
+        *end++ = ']';
+        out.append(text, end);
+        mark = ',';
     }
-    if (!poses.empty()) out.pop_back();
-    out += ']';
+    out += poses.empty() ? "[]" : "]";
 }
 
 void append_picture(std::string& out, std::span<const ChainPoses> chains, const std::vector<std::string>& names,
@@ -44,9 +39,9 @@ void append_picture(std::string& out, std::span<const ChainPoses> chains, const 
         const ChainPoses& chain = chains[c];
         const auto poses = std::span(chain.poses).subspan(picture * chain.nodes, chain.nodes);
         out.append(c == 0 ? "{\"name\":" : ",{\"name\":").append(names[c]);
-        append_list(out, ",\"rotations\":[", poses, &NodePose::rotation);
-        append_list(out, ",\"turns\":[", poses, &NodePose::turn);
-        append_list(out, ",\"positions\":[", poses, &NodePose::position);
+        append_list(out, ",\"rotations\":", poses, &NodePose::rotation);
+        append_list(out, ",\"turns\":", poses, &NodePose::turn);
+        append_list(out, ",\"positions\":", poses, &NodePose::position);
         out += '}';
     }
     out += "]}";
