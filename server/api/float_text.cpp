@@ -97,8 +97,9 @@ bool is_found(const Decimal& decimal) {
 }
 
 int count_digits(std::uint32_t number) {
+    if (number >= 1'000'000) return 7 + (number >= 10'000'000 ? 1 : 0) + (number >= 100'000'000 ? 1 : 0);
     int count = 1;
-    for (std::uint32_t limit = 10; count < 10 && number >= limit; limit *= 10) ++count;
+    for (; number >= 10; number /= 10) ++count;
     return count;
 }
 
@@ -112,43 +113,45 @@ constexpr auto kPairs = [] {
     return pairs;
 }();
 
-/// Writes `count` digits, or those behind leading zeros.
-void write_digits(char* to, std::uint32_t number, int count) {
-    while (count >= 2) {
-        count -= 2;
-        std::memcpy(to + count, &kPairs[2 * (number % 100)], 2);
-        number /= 100;
+constexpr int kMostDigits = 10;
+
+/// The digits of a number behind zeros, with room to copy as many from any of them: a copy of fixed size takes no
+/// branch.
+struct Digits {
+    explicit Digits(std::uint32_t number) {
+        for (int at = kMostDigits - 2; at >= 0; at -= 2) {
+            std::memcpy(text + at, &kPairs[2 * (number % 100)], 2);
+            number /= 100;
+        }
     }
-    if (count == 1) *to = static_cast<char>('0' + number);
-}
+
+    char text[2 * kMostDigits] = {};
+};
 
 char* write_decimal(char* to, const Decimal& decimal) {
     constexpr int kMostZeros = 3;  // behind the point
     const int count = count_digits(decimal.digits), point = count + decimal.exponent;
+    const Digits digits(decimal.digits);
+    const char* const first = digits.text + kMostDigits - count;
+    if (point <= 0 && point >= -kMostZeros) {
+        std::memcpy(to, "0.000", 5);
+        std::memcpy(to + 2 - point, first, kMostDigits);
+        return to + 2 - point + count;
+    }
     if (point > 0 && decimal.exponent >= 0) {  // below 2^24, so there is no need of an exponent
-        write_digits(to, decimal.digits, count);
+        std::memcpy(to, first, kMostDigits);
         std::memset(to + count, '0', static_cast<std::size_t>(decimal.exponent));
         std::memcpy(to + point, ".0", 2);
         return to + point + 2;
     }
-    if (point > 0) {
-        write_digits(to + 1, decimal.digits, count);
-        std::memmove(to, to + 1, static_cast<std::size_t>(point));
-        to[point] = '.';
-        return to + count + 1;
-    }
-    if (point >= -kMostZeros) {
-        std::memcpy(to, "0.000", 5);
-        write_digits(to + 2 - point, decimal.digits, count);
-        return to + 2 - point + count;
-    }
-    write_digits(to + 1, decimal.digits, count);
-    to[0] = to[1];
-    to[1] = '.';
+    const int whole = point > 0 ? point : 1;
+    std::memcpy(to, first, kMostDigits);
+    to[whole] = '.';
+    std::memcpy(to + whole + 1, first + whole, kMostDigits);
+    if (point > 0) return to + count + 1;
     to += count == 1 ? 1 : count + 1;
-    const int exponent = 1 - point;
     std::memcpy(to, "e-", 2);
-    write_digits(to + 2, static_cast<std::uint32_t>(exponent), 2);
+    std::memcpy(to + 2, &kPairs[2 * static_cast<std::size_t>(1 - point)], 2);
     return to + 4;
 }
 
