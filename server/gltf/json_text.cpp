@@ -40,12 +40,6 @@ void write_whole(JsonText& to, Number value) {
 
 }  // namespace
 
-JsonText& JsonText::raw(std::string_view text) {
-    if (out_ != nullptr) std::copy(text.begin(), text.end(), out_ + bytes_);
-    bytes_ += text.size();
-    return *this;
-}
-
 JsonText& JsonText::text(const std::string& value) {
     if (!std::all_of(value.begin(), value.end(), is_plain)) return raw(Json(value).dump());
     return raw("\"").raw(value).raw("\"");
@@ -64,24 +58,6 @@ JsonText& JsonText::number(std::size_t value) {
 
 JsonText& JsonText::number(int value) {
     write_whole(*this, value);
-    return *this;
-}
-
-JsonText& JsonText::key(std::string_view key) { return next().raw("\"").raw(key).raw("\":"); }
-
-JsonText& JsonText::open(char bracket) {
-    is_first_ = true;
-    return raw({&bracket, 1});
-}
-
-JsonText& JsonText::close(char bracket) {
-    is_first_ = false;
-    return raw({&bracket, 1});
-}
-
-JsonText& JsonText::next() {
-    if (!is_first_) raw(",");
-    is_first_ = false;
     return *this;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -16,20 +17,40 @@ class JsonText {
 
     std::size_t bytes() const { return bytes_; }
 
-    JsonText& raw(std::string_view text);
+    JsonText& raw(std::string_view text) {
+        if (out_ != nullptr) std::memcpy(out_ + bytes_, text.data(), text.size());
+        bytes_ += text.size();
+        return *this;
+    }
     JsonText& text(const std::string& value);  ///< in quotes, escaped
     JsonText& number(double value);            ///< the shortest digits that say it, with a point or an exponent
     JsonText& number(std::size_t value);
     JsonText& number(int value);
 
     /// A member's key and, unless it is an object's first, the comma before it. @param key  needs no escapes
-    JsonText& key(std::string_view key);
-    JsonText& open(char bracket);                      ///< { or [
-    JsonText& close(char bracket);                     ///< } or ]
+    JsonText& key(std::string_view key) { return next().put('"').raw(key).put('"').put(':'); }
+    JsonText& open(char bracket) {  ///< { or [
+        is_first_ = true;
+        return put(bracket);
+    }
+    JsonText& close(char bracket) {  ///< } or ]
+        is_first_ = false;
+        return put(bracket);
+    }
     void skip(std::size_t bytes) { bytes_ += bytes; }  ///< what somebody else writes
-    JsonText& next();                                  ///< the comma before an item that is not the first
+    JsonText& next() {                                 ///< the comma before an item that is not the first
+        if (!is_first_) put(',');
+        is_first_ = false;
+        return *this;
+    }
 
   private:
+    JsonText& put(char c) {
+        if (out_ != nullptr) out_[bytes_] = c;
+        ++bytes_;
+        return *this;
+    }
+
     char* out_;
     std::size_t bytes_ = 0;
     bool is_first_ = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tuftwave::server::gltf {
 namespace {
@@ -122,15 +123,9 @@ void write_meshes(const Model& model, JsonText& to) {
 
 void write_nodes(const Model& model, JsonText& to) {
     write_list(to, "nodes", model.nodes, [&](const Model::Placed& placed) {
-        const Document::Node& node = placed.node;
         if (!placed.children.empty()) write_numbers(to, "children", placed.children);
         if (!placed.extras.empty()) to.key("extras").raw(placed.extras);
-        if (node.mesh) to.key("mesh").number(*node.mesh);
-        if (!node.name.empty()) to.key("name").text(node.name);
-        if (node.rotation) write_numbers(to, "rotation", *node.rotation);
-        if (node.scale) write_numbers(to, "scale", std::array<double, 3>{*node.scale, *node.scale, *node.scale});
-        if (node.skin) to.key("skin").number(*node.skin);
-        if (node.translation) write_numbers(to, "translation", *node.translation);
+        if (!placed.members.empty()) to.next().raw(placed.members);
     });
 }
 
@@ -143,6 +138,20 @@ void write_skins(const Model& model, JsonText& to) {
 }
 
 }  // namespace
+
+Document::Model::Placed::Placed(const Node& node, std::vector<int> its_children, std::string its_extras)
+    : children(std::move(its_children)), extras(std::move(its_extras)) {
+    constexpr std::size_t kMostNumbers = 512, kMostEscaped = 6;  // bytes of all numbers and keys, of a letter
+    std::string room(kMostNumbers + kMostEscaped * node.name.size(), '\0');
+    JsonText to(room.data());
+    if (node.mesh) to.key("mesh").number(*node.mesh);
+    if (!node.name.empty()) to.key("name").text(node.name);
+    if (node.rotation) write_numbers(to, "rotation", *node.rotation);
+    if (node.scale) write_numbers(to, "scale", std::array<double, 3>{*node.scale, *node.scale, *node.scale});
+    if (node.skin) to.key("skin").number(*node.skin);
+    if (node.translation) write_numbers(to, "translation", *node.translation);
+    members.assign(room, 0, to.bytes());
+}
 
 std::size_t width_of(Document::Shape shape) {
     switch (shape) {

@@ -22,9 +22,11 @@ struct Document::Model {
         std::vector<double> least, most;
     };
     struct Placed {
-        Node node;
+        Placed(const Node& node, std::vector<int> its_children, std::string its_extras);
+
         std::vector<int> children;
         std::string extras;
+        std::string members;  ///< all others as they will stand in the file, so that numbers are made text once
     };
     struct Material {
         std::string name;

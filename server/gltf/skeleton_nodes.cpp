@@ -81,12 +81,13 @@ void HeldClip::fill(std::span<const ChainMotion> motions) {
         const std::vector<Quat>& rotations = motions[c].rotations;
         const std::size_t nodes = values_[c].size() + 1;
         for (std::size_t i = 0; i < values_[c].size(); ++i) {
-            const std::span<float> out = document_.data<float>(values_[c][i]);
-            for (std::size_t key = 0; key < keys_.pictures.size(); ++key) {
-                const Quat& q = rotations[keys_.pictures[key] * nodes + i];
-                const float parts[] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
-                                       static_cast<float>(q.w)};
-                std::ranges::copy(parts, out.begin() + static_cast<std::ptrdiff_t>(4 * key));
+            float* out = document_.data<float>(values_[c][i]).data();
+            for (const std::size_t picture : keys_.pictures) {
+                const Quat& q = rotations[picture * nodes + i];
+                *out++ = static_cast<float>(q.x);
+                *out++ = static_cast<float>(q.y);
+                *out++ = static_cast<float>(q.z);
+                *out++ = static_cast<float>(q.w);
             }
         }
     }
