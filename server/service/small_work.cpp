@@ -5,11 +5,11 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kMostBodyBytes = 4 * 1024;  // read in about as long as a tuft is meshed
-constexpr std::size_t kMostTufts = 4;
+constexpr std::size_t kMostBodyBytes = 2 * 1024;  // read in about as long as a tuft is meshed
+constexpr std::size_t kMostTufts = 2;
 constexpr std::size_t kMostPoints = 64;
-constexpr std::size_t kMostRings = 128;
-constexpr std::size_t kMostVertices = 2'048;  // two tufts of 64 rings and 12 sides
+constexpr std::size_t kMostRings = 64;
+constexpr std::size_t kMostVertices = 1'024;  // one tuft of 64 rings and 12 sides, or two as they are by themselves
 constexpr std::size_t kMostSheetFrames = 240;
 
 }  // namespace

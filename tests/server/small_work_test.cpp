@@ -10,8 +10,8 @@ namespace {
 const Route& route_of(const std::string& path) { return *std::get<const Route*>(find_route("POST", path)); }
 
 TEST(SmallWork, IsAShortBodyOfARouteThatCountsBound) {
-    const Request small{"POST", "/v1/tufts", {}, {}, std::string(4'096, ' ')};
-    const Request large{"POST", "/v1/tufts", {}, {}, std::string(4'097, ' ')};
+    const Request small{"POST", "/v1/tufts", {}, {}, std::string(2'048, ' ')};
+    const Request large{"POST", "/v1/tufts", {}, {}, std::string(2'049, ' ')};
     EXPECT_TRUE(may_be_small(route_of("/v1/tufts"), small));
     EXPECT_FALSE(may_be_small(route_of("/v1/tufts"), large));
     for (const char* path : {"/v1/fits", "/v1/fills", "/v1/hairstyles", "/v1/evaluations", "/v1/characters/motion"})
