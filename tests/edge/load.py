@@ -19,6 +19,14 @@ def schedules(number: int) -> Ask:
     return schedule(number), lambda answer: is_own(answer, number)
 
 
+def motions(number: int) -> Ask:
+    """However little it asks for, a motion needs a worker; the other two are small enough to need none."""
+    name = f"chain{number}"
+    body = json.loads(read_example("motions"))
+    body["chains"][0]["name"] = name
+    return request("POST", "/v1/motions", json.dumps(body).encode()), lambda answer: answer.status == 200 and f'"{name}"'.encode() in answer.body
+
+
 def with_tufts(number: int) -> Ask:
     """Every other one a tuft, whose mesh is named as no other; a few hundred times the work of a schedule, and a larger answer."""
     if number % 2:

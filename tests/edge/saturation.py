@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 from edge import Edge
-from load import Load, read_example
+from load import Load, motions, read_example
 from wire import Broken, Connection, request
 
 CROWD = 6  # more than one worker and one place in the queue
@@ -47,7 +47,7 @@ class Crowd:
 def check_saturation(program: str, _: bool) -> tuple[bool, str]:
     with Edge(program, *FLAGS) as edge, Crowd(edge.replicas[0].address) as crowd:
         before = edge.proxy.repeated()
-        with Load(edge.proxy.address, THREADS, 100, enough=ENOUGH) as load:
+        with Load(edge.proxy.address, THREADS, 100, motions, enough=ENOUGH) as load:
             load.wait()
         repeated = edge.proxy.repeated() - before
     is_good = not load.failures and repeated > 0 and crowd.refused > 0
