@@ -13,7 +13,7 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::size_t kMostAtOnce = 1024 * 1024;  // then it is the next connection's turn
+constexpr std::size_t kDroppedAtOnce = 1024 * 1024;  // then it is the next connection's turn
 constexpr std::size_t kMostDropped = 128 * 1024 * 1024;
 
 bool would_block(const ssize_t result) {
@@ -42,12 +42,12 @@ void Connection::begin_writing(Message message, const bool closes) {
     since_ = progress_ = Clock::now();
 }
 
-Connection::Sent Connection::send() {
+Connection::Sent Connection::send(const std::size_t most) {
     for (std::size_t turn = 0; unsent() > 0;) {
-        if (turn >= kMostAtOnce) return Sent::kSome;
+        if (turn >= most) return Sent::kSome;
         const std::string_view head = std::string_view(message_.head).substr(std::min(sent_, message_.head.size()));
         const std::size_t body_sent = sent_ - (message_.head.size() - head.size());
-        const std::string_view body = message_.content().substr(body_sent, kMostAtOnce);
+        const std::string_view body = message_.content().substr(body_sent, most - turn);
         std::array<iovec, 2> pieces{iovec{const_cast<char*>(head.data()), head.size()},
                                     iovec{const_cast<char*>(body.data()), body.size()}};
         msghdr all{};
@@ -86,8 +86,8 @@ void Connection::begin_lingering() {
 
 bool Connection::drop_input() {
     // TCP drops by itself what is read with MSG_TRUNC: nothing is copied.
-    for (std::size_t turn = 0; turn < kMostAtOnce;) {
-        const ssize_t got = ::recv(socket_.number(), nullptr, kMostAtOnce, MSG_TRUNC);
+    for (std::size_t turn = 0; turn < kDroppedAtOnce;) {
+        const ssize_t got = ::recv(socket_.number(), nullptr, kDroppedAtOnce, MSG_TRUNC);
         if (would_block(got)) return true;
         if (got <= 0) return false;
         turn += static_cast<std::size_t>(got);

@@ -67,8 +67,8 @@ class Connection {
     std::size_t held() const { return message_.memory(); }
     std::size_t unsent() const { return message_.size() - sent_; }
     bool closes() const { return closes_; }
-    /// Writes what the socket takes, a part of what is there. On kAll it reads again.
-    Sent send();
+    /// Writes what the socket takes, about so many bytes at most. On kAll it reads again.
+    Sent send(std::size_t most);
     /// Writes a few bytes besides. @return  false if they do not fit
     bool send_at_once(std::string_view bytes);
 

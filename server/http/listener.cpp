@@ -27,6 +27,8 @@ constexpr std::size_t kHeadPiece = 16 * 1024, kBodyPiece = 64 * 1024;
 constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one's turn
 // Of each body and each answer: small ones go on when large ones have used the budget up.
 constexpr std::size_t kFreeBytes = 64 * 1024;
+// Bytes that all connections and one of them may send before it is the next one's turn.
+constexpr std::size_t kSentInARound = 16 * 1024 * 1024, kLeastSent = 32 * 1024, kMostSent = 1024 * 1024;
 constexpr std::size_t kMostTurnedAway = 1'024;  // that wait, to read why
 constexpr std::size_t kAcceptsAtOnce = 256;
 
@@ -296,7 +298,10 @@ class Listener::Loop {
     /// @return  false if the connection is closed
     bool write(Connection& connection) {
         const std::size_t before = connection.held();
-        const Connection::Sent sent = connection.send();
+        // However many take a large answer, all of them together hold up who asks for a small one for some
+        // milliseconds.
+        const std::size_t share = kSentInARound / connections_.size();
+        const Connection::Sent sent = connection.send(std::clamp(share, kLeastSent, kMostSent));
         answer_bytes_ -= before - connection.held();
         if (sent == Connection::Sent::kFailed) {
             close(connection);
