@@ -53,6 +53,7 @@ TEST(Sockets, AcceptingDoesNotWait) {
     char byte;
     EXPECT_EQ(::recv(accepted.socket.number(), &byte, 1, 0), -1) << "it does not block";
     EXPECT_EQ(option(accepted.socket, IPPROTO_TCP, TCP_NODELAY), 1);
+    EXPECT_EQ(option(accepted.socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT), 512 * 1024) << "what a slow client leaves";
 }
 
 TEST(Sockets, KnowsWhenThereAreNoDescriptorsLeft) {

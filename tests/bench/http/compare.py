@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from typing import Any, Callable, Iterator, Optional
+from typing import Any, Callable, Iterator, Optional, cast
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
@@ -32,7 +32,8 @@ PAGE = "/studio/studio.js"  # about 1 MiB, and no work to make
 CLIENTS = 64
 CONNECTS = 1000
 SLOW_CLIENTS = 64
-SECONDS = 5.0  # that a client of a crowd waits before it counts as never answered
+PATIENCE_S = 5.0  # of a client in a crowd before it counts as never answered
+VERSION = b"GET /v1/version HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 Sample = Callable[[], float]
 
@@ -113,42 +114,37 @@ def processor_seconds(pid: int) -> float:
     return total / 1e9
 
 
-def request(path: str) -> bytes:
-    return f"GET {path} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
-
-
-def crowd(port: int, count: int, go_on: float) -> tuple[list[float], int]:
+def crowd(port: int, count: int, seconds: float) -> tuple[list[float], int]:
     """That many clients connect at once and ask; each asks again as soon as it is answered, for so many seconds.
 
     @return  seconds until the first answer of each that had one, and how many had none
     """
-    selector, first = selectors.DefaultSelector(), {}
-    begin = time.monotonic()
-    clients = []
-    for _ in range(count):
-        client = socket.socket()
+    selector, begin = selectors.DefaultSelector(), time.monotonic()
+    clients = [socket.socket() for _ in range(count)]
+    for client in clients:
         client.setblocking(False)
         client.connect_ex(("127.0.0.1", port))
         selector.register(client, selectors.EVENT_WRITE)
-        clients.append(client)
-    failed: set[socket.socket] = set()
-    while time.monotonic() < begin + (go_on if len(first) + len(failed) == count else SECONDS):
+    first: dict[socket.socket, float] = {}
+    failed = 0
+
+    def is_over(now: float) -> bool:
+        return now >= begin + (seconds if len(first) + failed == count else PATIENCE_S)
+
+    while not is_over(time.monotonic()):
         for key, events in selector.select(0.05):
-            client = key.fileobj
-            assert isinstance(client, socket.socket)
+            client = cast(socket.socket, key.fileobj)
             try:
                 if events & selectors.EVENT_READ:
                     if not client.recv(65536).startswith(b"HTTP/1.1 200"):
-                        raise ConnectionError
+                        raise ConnectionError("refused")
                     first.setdefault(client, time.monotonic() - begin)
-                if events & selectors.EVENT_WRITE or time.monotonic() < begin + go_on:
-                    client.send(request("/v1/version"))
+                if events & selectors.EVENT_WRITE or time.monotonic() < begin + seconds:
+                    client.send(VERSION)
                 selector.modify(client, selectors.EVENT_READ)
             except OSError:
-                failed.add(client)
+                failed += client not in first
                 selector.unregister(client)
-        if len(first) + len(failed) == count and time.monotonic() >= begin + go_on:
-            break
     for client in clients:
         client.close()
     return list(first.values()), count - len(first)
