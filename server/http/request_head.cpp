@@ -25,7 +25,8 @@ bool is_letter_or_digit(const char c) {
 
 bool is_token(const std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](const char c) {
-        return is_letter_or_digit(c) || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
+        return is_letter_or_digit(c) || c == '-' ||
+               std::string_view("!#$%&'*+.^_`|~").find(c) != std::string_view::npos;
     });
 }
 
@@ -39,7 +40,8 @@ bool is_value(const std::string_view text) {
 /// A host with or without a port: nothing that could be taken for a path, a user or a list.
 bool is_host(const std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](const char c) {
-        return is_letter_or_digit(c) || std::string_view("-._~!$&'()*+;=:[]%").find(c) != std::string_view::npos;
+        return is_letter_or_digit(c) || c == '.' ||
+               std::string_view("-_~!$&'()*+;=:[]%").find(c) != std::string_view::npos;
     });
 }
 

@@ -13,6 +13,7 @@ bool RequestReader::refuse(const int status) {
 /// Looks at each byte as it comes, so that what can never become a head is refused at once and not when time is up.
 /// @return  whether the head is complete
 bool RequestReader::take_head(std::string_view& bytes) {
+    text_.reserve(std::min(text_.size() + bytes.size(), kMostHeadBytes + 1));
     while (!bytes.empty()) {
         const char byte = bytes.front();
         bytes.remove_prefix(1);
