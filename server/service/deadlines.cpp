@@ -20,12 +20,11 @@ Deadlines::~Deadlines() {
 }
 
 Deadlines::Watch::Watch(Deadlines& deadlines, Expiring& who) : deadlines_(deadlines) {
-    entry_.push_back({Clock::now() + deadlines.patience_, &who});
+    entry_.push_back({{}, &who});
     position_ = entry_.begin();
     const std::lock_guard lock(deadlines_.mutex_);
-    const bool was_empty = deadlines_.waiting_.empty();
+    position_->time = Clock::now() + deadlines_.patience_;
     deadlines_.waiting_.splice(deadlines_.waiting_.end(), entry_);
-    if (was_empty) deadlines_.wake_.notify_all();
 }
 
 Deadlines::Watch::~Watch() {
@@ -38,10 +37,10 @@ Deadlines::Watch::~Watch() {
 void Deadlines::run() {
     std::unique_lock lock(mutex_);
     while (!stopping_) {
-        if (waiting_.empty()) {
-            wake_.wait(lock);
-        } else if (const auto first = waiting_.front().time; Clock::now() < first) {
-            wake_.wait_until(lock, first);
+        // Never for longer than all wait: who comes meanwhile is told in time, and nobody needs to wake this thread.
+        const auto next = waiting_.empty() ? Clock::now() + patience_ : waiting_.front().time;
+        if (Clock::now() < next) {
+            wake_.wait_until(lock, next);
         } else {
             Expiring* const who = std::exchange(waiting_.front().who, nullptr);
             expired_.splice(expired_.end(), waiting_, waiting_.begin());
