@@ -14,7 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostTimesTooLarge = 2;  // or small answers would hold the memory of large ones
+/// The largest one that may be used for so much: else small answers would hold the memory of large ones.
+constexpr std::size_t most_for(const std::size_t room) { return room + room / 4; }
 
 struct Kept {
     std::string buffer;
@@ -37,7 +38,7 @@ std::string found(const std::size_t room) {
     Kept* best = nullptr;
     for (Kept& kept : all) {
         const std::size_t capacity = bytes_of(kept);
-        if (capacity < room || capacity > room * kMostTimesTooLarge) continue;
+        if (capacity < room || capacity > most_for(room)) continue;
         if (best == nullptr || capacity < best->buffer.capacity()) best = &kept;
     }
     if (best != nullptr) return std::exchange(best->buffer, {});
