@@ -1,0 +1,37 @@
+// W2 and W3: clips, poses as text, and what is only computed.
+#include <nlohmann/json.hpp>
+
+#include "api/pose_text.hpp"
+#include "gltf/hair_file.hpp"
+#include "measure.hpp"
+#include "work.hpp"
+
+namespace tuftwave::bench {
+namespace {
+
+constexpr int kOnOnes = 1, kOnTwos = 2;
+
+std::string clip(const std::vector<Chain>& chains, const Motion& motion) {
+    return server::gltf::clip_file(chains, moved(chains, motion), "{}", {nlohmann::json::object()},
+                                   server::gltf::Container::kGlb);
+}
+
+}  // namespace
+
+void measure_motion(const Workloads& workloads) {
+    const std::vector<Chain> chains = chains_of(workloads);
+    const Motion twos = motion_of(kOnTwos), ones = motion_of(kOnOnes);
+    measure("ours.w2", [&] { keep(clip(chains, twos)); });
+    measure("ours.w3", [&] { keep(clip(chains, ones)); });
+    measure("ours.evaluation", [&] { keep(moved(chains, twos)); });
+
+    const HairMotion motion = moved(chains, twos);
+    const auto poses = server::chain_poses(chains, motion, {});
+    const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
+    const nlohmann::ordered_json frame{{"pictures", nullptr}};
+    measure("ours.pose_text", [&] { keep(server::text_with_poses(frame, poses, pictures)); });
+    print_value("ours.pose_text.bytes", static_cast<double>(server::text_with_poses(frame, poses, pictures).size()), "B");
+    print_value("ours.w2.bytes", static_cast<double>(clip(chains, twos).size()), "B");
+}
+
+}  // namespace tuftwave::bench

@@ -1,0 +1,54 @@
+// What a GLB costs besides its vertices.
+#include <sys/resource.h>
+
+#include <cstring>
+#include <vector>
+
+#include "gltf/document.hpp"
+#include "measure.hpp"
+#include "work.hpp"
+
+namespace tuftwave::bench {
+namespace {
+
+using server::gltf::Container;
+using server::gltf::Document;
+
+/// A GLB of vertices that are there already. @param vertices  three floats each
+std::string pack(const std::vector<float>& vertices) {
+    Document document("bench");
+    const std::size_t bytes = vertices.size() * sizeof(float);
+    const int view = document.add_view(Document::Purpose::kAttribute, bytes, 12);
+    const int accessor = document.add_accessor(
+        {view, 0, vertices.size() / 3, Document::Component::kF32, Document::Shape::kVec3});
+    document.allocate(Container::kGlb);
+    std::memcpy(document.bytes(accessor).data(), vertices.data(), bytes);
+    return document.write(Container::kGlb);
+}
+
+/// Many of the smallest tubes, so that what each primitive costs beside them is what is seen.
+Hairstyle smallest_tubes(const Workloads& workloads) {
+    Hairstyle hairstyle = hair_of(workloads, workloads.strokes.size());
+    hairstyle.mesh.rings = 2;
+    hairstyle.mesh.sides = 3;
+    return hairstyle;
+}
+
+}  // namespace
+
+void measure_packing(const Workloads& workloads) {
+    const std::size_t bytes = hair_glb(hair_of(workloads, workloads.strokes.size()), merged_look(), InOrder()).size();
+    const std::vector<float> vertices(bytes / 12 * 3, 0.5F);
+    measure("ours.pack", [&] { keep(pack(vertices)); });
+    measure("ours.pack.fresh_copy", [&] {
+        const std::vector<float> copy(vertices);
+        keep(copy.data());
+    });
+    const Hairstyle tubes = smallest_tubes(workloads);
+    server::gltf::Look split = merged_look();
+    split.layout = server::gltf::Layout::kPerTuft;
+    measure("ours.tubes.split", [&] { keep(hair_glb(tubes, split, InOrder())); });
+    measure("ours.tubes.merged", [&] { keep(hair_glb(tubes, merged_look(), InOrder())); });
+}
+
+}  // namespace tuftwave::bench

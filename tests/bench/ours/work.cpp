@@ -1,0 +1,82 @@
+#include "work.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace tuftwave::bench {
+namespace {
+
+/// Whether the service can be asked for vertices of positions, normals and UVs only, and here is.
+template <class Options>
+void leave_skin_out(Options& options) {
+    if constexpr (requires { options.skin = false; }) options.skin = false;
+}
+
+template <class Value>
+Value value_of(Result<Value> result) {
+    if (!result) throw std::runtime_error(result.error().field + ": " + result.error().allowed);
+    return std::move(result).value();
+}
+
+}  // namespace
+
+Hairstyle hair_of(const Workloads& workloads, std::size_t strokes) {
+    Hairstyle hairstyle;
+    for (std::size_t i = 0; i < strokes; ++i) {
+        Tuft& tuft = hairstyle.tufts.emplace_back();
+        for (const Point& point : workloads.strokes[i % workloads.strokes.size()])
+            tuft.points.push_back({point[0], point[1], point[2]});
+        tuft.joints = 1;  // the fewest: W1 is about vertices
+    }
+    hairstyle.mesh.rings = 64;
+    hairstyle.mesh.sides = 12;
+    leave_skin_out(hairstyle.mesh);
+    return hairstyle;
+}
+
+server::gltf::Look merged_look() {
+    server::gltf::Look look;
+    look.layout = server::gltf::Layout::kMerged;
+    leave_skin_out(look);
+    return look;
+}
+
+Limits no_limits() {
+    Limits limits;
+    constexpr std::size_t kAny = std::numeric_limits<std::uint32_t>::max();
+    limits.tufts = limits.chains = limits.points = limits.joints = limits.vertices = limits.triangles = kAny;
+    return limits;
+}
+
+std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each) {
+    const HairPlan plan = value_of(plan_hairstyle(hairstyle, no_limits(), for_each, {}));
+    return server::gltf::hair_file(plan, look, "{}", {nlohmann::json()}, server::gltf::Container::kGlb, for_each, {});
+}
+
+std::vector<Chain> chains_of(const Workloads& workloads) {
+    std::vector<Chain> chains;
+    for (const Line& line : workloads.chains) {
+        Chain& chain = chains.emplace_back();
+        chain.name = "lock_" + std::to_string(chains.size() - 1);
+        for (const Point& point : line) chain.nodes.push_back({point[0], point[1], point[2]});
+        chain.rest_rotations.resize(chain.nodes.size());
+    }
+    return chains;
+}
+
+Motion motion_of(int hold) {
+    Motion motion;
+    motion.timing.period = 1;
+    motion.timing.hold = hold;
+    return motion;
+}
+
+HairMotion moved(const std::vector<Chain>& chains, const Motion& motion) {
+    const Limits limits;
+    Schedule schedule = value_of(make_schedule(motion.timing, Formulas::kCorrected, limits));
+    auto rotations = value_of(move_chains(chains, motion, schedule, limits, InOrder(), {}));
+    return {std::move(schedule), std::move(rotations)};
+}
+
+}  // namespace tuftwave::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gltf/hair_file.hpp"
+#include "tuftwave/hairstyle.hpp"
+#include "workloads.hpp"
+
+/// What the service does once it has read a request, measured without a socket.
+namespace tuftwave::bench {
+
+/// Which measurements a run of the program makes. All but the first share a process, since they are warm.
+void measure_first(const Workloads& workloads);
+void measure_many(const Workloads& workloads);
+void measure_hair(const Workloads& workloads);
+void measure_motion(const Workloads& workloads);
+void measure_reading(const Workloads& workloads);
+void measure_packing(const Workloads& workloads);
+void measure_fill(const Workloads& workloads);
+
+/// W1 with so many of its strokes, again and again from the first one; 64 rings, 12 sides.
+Hairstyle hair_of(const Workloads& workloads, std::size_t strokes);
+
+/// Merged; and without a skin, where a look or a mesh can say so.
+server::gltf::Look merged_look();
+
+/// More than any request may ask for.
+Limits no_limits();
+
+/// The GLB of a hairstyle: planned, meshed and packed. @param for_each  who works
+std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each);
+
+/// W2's chains as core has them.
+std::vector<Chain> chains_of(const Workloads& workloads);
+
+/// A second at 24 frames per second. @param hold  frames per picture
+Motion motion_of(int hold);
+
+/// The motion as POST /v1/motions computes it.
+HairMotion moved(const std::vector<Chain>& chains, const Motion& motion);
+
+}  // namespace tuftwave::bench
