@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 
 const CHARACTERS = new URL("../../data/characters/", import.meta.url);
 /** What VRM 1.0 gives a joint that states nothing. */
-const VRM1_DEFAULTS = { hitRadius: 0, stiffness: 1, gravityPower: 0, gravityDir: [0, -1, 0], dragForce: 0.5 };
+export const VRM1_DEFAULTS = { hitRadius: 0, stiffness: 1, gravityPower: 0, gravityDir: [0, -1, 0], dragForce: 0.5 };
 
 /** A VRM 0.x bone group's settings in VRM 1.0's words. */
 function settingsOfGroup(group) {
