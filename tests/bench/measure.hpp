@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -10,8 +12,8 @@ namespace tuftwave::bench {
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/// Calls of a measurement: enough of them to be warm, then what fits into a moment. Every program is run once per round,
-/// so a round of all of them must be short.
+/// Calls of a measurement: enough of them to be warm, then what fits into a moment. Every program is run once per
+/// round, so a round of all of them must be short.
 constexpr Milliseconds kWarming{100}, kMeasuring{300};
 constexpr std::size_t kFewestCalls = 3, kMostCalls = 500;
 
@@ -27,6 +29,13 @@ double time_of(Work&& work) {
 template <class Value>
 void keep(const Value& value) {
     asm volatile("" : : "r"(&value) : "memory");
+}
+
+/// Bytes that this process has held at most.
+inline double peak_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 /// One line that tests/bench/bench.py reads.

@@ -17,8 +17,7 @@ std::string text_of(const std::string& path) {
 std::vector<Line> lines_of(const std::string& text, const char* things, const char* points) {
     const nlohmann::json request = nlohmann::json::parse(text);
     std::vector<Line> lines;
-    for (const nlohmann::json& thing : request.at(things))
-        lines.push_back(thing.at(points).get<Line>());
+    for (const nlohmann::json& thing : request.at(things)) lines.push_back(thing.at(points).get<Line>());
     return lines;
 }
 

@@ -1,6 +1,6 @@
-"""W1 and W2, the requests that every party gets: 1,000 strokes, and 200 chains for a second at 24 frames.
+"""W1 and W2 as files, which every party gets: 1,000 strokes, and 200 chains for a second at 24 frames on twos.
 
-    python3 tests/bench/workloads.py FOLDER      writes w1.json and w2.json
+    python3 tests/bench/workloads.py FOLDER      writes w1.json and w2.json, requests to /v1/tufts and /v1/motions
 """
 
 from __future__ import annotations
@@ -11,19 +11,9 @@ import os
 import sys
 from typing import Any
 
-STROKES, POINTS = 1000, 8
+import thousand_strokes
+
 CHAINS, NODES = 200, 16
-GOLDEN_ANGLE = 2.399963
-
-
-def stroke(index: int) -> list[list[float]]:
-    """A lock that hangs from a head of 9 to 10 cm, bending outwards."""
-    reach = 0.09 + 0.0001 * (index % 97)
-    points = []
-    for k in range(POINTS):
-        out = reach * (1 + 0.12 * k - 0.01 * k * k)
-        points.append([out * math.sin(GOLDEN_ANGLE * index), 0.1 - 0.03 * k, out * math.cos(GOLDEN_ANGLE * index)])
-    return points  # with all of their digits, as programs send them
 
 
 def chain(index: int) -> list[list[float]]:
@@ -33,20 +23,13 @@ def chain(index: int) -> list[list[float]]:
     return [[x, round(0.05 - 0.02 * i, 6), z] for i in range(NODES)]
 
 
-def w1() -> dict[str, Any]:
-    """1,000 strokes of 8 points, 64 rings, 12 sides, merged."""
-    tufts = [{"points": stroke(index)} for index in range(STROKES)]
-    return {"tufts": tufts, "mesh": {"rings": 64, "sides": 12, "layout": "merged"}}
-
-
-def w2() -> dict[str, Any]:
-    """200 chains of 16 nodes, a second at 24 frames per second on twos: 12 pictures."""
-    chains = [{"name": f"lock_{index}", "nodes": chain(index)} for index in range(CHAINS)]
-    return {"chains": chains, "motion": {"timing": {"period": 1, "fps": 24, "hold": 2}}}
+def chains() -> dict[str, Any]:
+    lines = [{"name": f"lock_{index}", "nodes": chain(index)} for index in range(CHAINS)]
+    return {"chains": lines, "motion": {"timing": {"period": 1, "fps": 24, "hold": 2}}}
 
 
 def write(folder: str) -> None:
-    for name, body in (("w1", w1()), ("w2", w2())):
+    for name, body in (("w1", thousand_strokes.request()), ("w2", chains())):
         with open(os.path.join(folder, name + ".json"), "w", encoding="ascii") as file:
             json.dump(body, file)
 

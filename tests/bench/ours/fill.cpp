@@ -21,8 +21,8 @@ void measure_fill(const Workloads&) {
         if (!plan) throw std::runtime_error(plan.error().allowed);
         return make_fill(*plan, head, nullptr, limits, InOrder(), {});
     };
-    measure("ours.fill", [&] { keep(fill()); });
-    print_value("ours.fill.tufts", static_cast<double>(fill()->tufts.size()), "tufts");
+    measure("fill/tuftwave", [&] { keep(fill()); });
+    print_value("fill_tufts/tuftwave", static_cast<double>(fill()->tufts.size()), "tufts");
 }
 
 }  // namespace tuftwave::bench

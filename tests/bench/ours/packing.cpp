@@ -1,6 +1,4 @@
 // What a GLB costs besides its vertices.
-#include <sys/resource.h>
-
 #include <cstring>
 #include <vector>
 
@@ -19,8 +17,8 @@ std::string pack(const std::vector<float>& vertices) {
     Document document("bench");
     const std::size_t bytes = vertices.size() * sizeof(float);
     const int view = document.add_view(Document::Purpose::kAttribute, bytes, 12);
-    const int accessor = document.add_accessor(
-        {view, 0, vertices.size() / 3, Document::Component::kF32, Document::Shape::kVec3});
+    const int accessor =
+        document.add_accessor({view, 0, vertices.size() / 3, Document::Component::kF32, Document::Shape::kVec3});
     document.allocate(Container::kGlb);
     std::memcpy(document.bytes(accessor).data(), vertices.data(), bytes);
     return document.write(Container::kGlb);
@@ -34,21 +32,30 @@ Hairstyle smallest_tubes(const Workloads& workloads) {
     return hairstyle;
 }
 
+/// As many vertices as W1's GLB without a skin has bytes for.
+std::vector<float> w1_of_floats() { return std::vector<float>(45'000'000 / 12 * 3, 0.5F); }
+
 }  // namespace
 
+void measure_pack_memory(const Workloads&) {
+    const std::vector<float> vertices = w1_of_floats();
+    const double before = peak_bytes();
+    const auto bytes = static_cast<double>(pack(vertices).size());
+    print_value("pack_memory/tuftwave", (peak_bytes() - before) / bytes, "GLBs");
+}
+
 void measure_packing(const Workloads& workloads) {
-    const std::size_t bytes = hair_glb(hair_of(workloads, workloads.strokes.size()), merged_look(), InOrder()).size();
-    const std::vector<float> vertices(bytes / 12 * 3, 0.5F);
-    measure("ours.pack", [&] { keep(pack(vertices)); });
-    measure("ours.pack.fresh_copy", [&] {
+    const std::vector<float> vertices = w1_of_floats();
+    measure("pack/tuftwave", [&] { keep(pack(vertices)); });
+    measure("pack/fresh_copy", [&] {
         const std::vector<float> copy(vertices);
         keep(copy.data());
     });
     const Hairstyle tubes = smallest_tubes(workloads);
     server::gltf::Look split = merged_look();
     split.layout = server::gltf::Layout::kPerTuft;
-    measure("ours.tubes.split", [&] { keep(hair_glb(tubes, split, InOrder())); });
-    measure("ours.tubes.merged", [&] { keep(hair_glb(tubes, merged_look(), InOrder())); });
+    measure("tubes_split/tuftwave", [&] { keep(hair_glb(tubes, split, InOrder())); });
+    measure("tubes_merged/tuftwave", [&] { keep(hair_glb(tubes, merged_look(), InOrder())); });
 }
 
 }  // namespace tuftwave::bench

@@ -9,7 +9,8 @@
 namespace tuftwave::bench {
 
 void measure_reading(const Workloads& workloads) {
-    const server::Request request{"POST", "/v1/tufts", {}, {{"content-type", "application/json"}}, workloads.strokes_text};
+    const server::Request request{
+        "POST", "/v1/tufts", {}, {{"content-type", "application/json"}}, workloads.strokes_text};
     // A request is read in full before its points are counted; with too many of them nothing else is done.
     Limits limits;
     limits.points = 1;
@@ -19,7 +20,7 @@ void measure_reading(const Workloads& workloads) {
     const auto* problem = std::get_if<server::Problem>(&answer);
     if (problem == nullptr || problem->fields.size() != 1 || problem->fields.front().pointer != "/tufts")
         throw std::runtime_error("the request was not read as far as its points");
-    measure("ours.read", [&] { keep(server::post_tufts(request, context)); });
+    measure("read/tuftwave", [&] { keep(server::post_tufts(request, context)); });
 }
 
 }  // namespace tuftwave::bench

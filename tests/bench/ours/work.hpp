@@ -10,9 +10,11 @@
 /// What the service does once it has read a request, measured without a socket.
 namespace tuftwave::bench {
 
-/// Which measurements a run of the program makes. All but the first share a process, since they are warm.
+/// Which measurements a run of the program makes. The first three need a process of their own: they are about memory
+/// that nobody has used yet. The others are warm.
 void measure_first(const Workloads& workloads);
 void measure_many(const Workloads& workloads);
+void measure_pack_memory(const Workloads& workloads);
 void measure_hair(const Workloads& workloads);
 void measure_motion(const Workloads& workloads);
 void measure_reading(const Workloads& workloads);

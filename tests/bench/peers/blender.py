@@ -134,10 +134,10 @@ def main(folder: str) -> None:
         clip(chains)
         export(motion, export_force_sampling=False, export_frame_range=False)
 
-    measure("blender.w1", w1)
-    measure("blender.w2", w2)
+    measure("w1/blender", w1)
+    measure("w2/blender", w2)
     for name, path in (("w1", mesh), ("w2", motion)):
-        print(json.dumps({"name": f"blender.{name}.bytes", "value": [os.path.getsize(path)], "unit": "B"}), flush=True)
+        print(json.dumps({"name": f"{name}_bytes/blender", "value": [os.path.getsize(path)], "unit": "B"}), flush=True)
 
 
 main(sys.argv[sys.argv.index("--") + 1])

@@ -15,9 +15,9 @@ namespace {
 
 using namespace tuftwave::bench;
 
-constexpr int kFrames = 24, kStepsPerFrame = 3;  // 72 Hz
+constexpr int kFrames = 24, kStepsPerFrame = 3;                                         // 72 Hz
 constexpr btScalar kMass = 0.02F, kRadius = 0.004F, kStiffness = 0.05F, kSwing = 0.5F;  // kg, m, N m/rad, rad
-constexpr btScalar kRepair = 0.8F;   ///< share of a joint's gap that a step closes
+constexpr btScalar kRepair = 0.8F;      ///< share of a joint's gap that a step closes
 constexpr btScalar kWidestGap = 0.01F;  ///< metres, between two bones of 2 cm; beyond it the simulation has failed
 
 btVector3 to_bullet(const Point& point) {
@@ -93,8 +93,9 @@ class World {
 
     void join(btRigidBody& before, btRigidBody& body, const btVector3& at) {
         const btTransform frame(btQuaternion::getIdentity(), at);
-        joints_.push_back(std::make_unique<btGeneric6DofSpringConstraint>(
-            before, body, before.getWorldTransform().inverse() * frame, body.getWorldTransform().inverse() * frame, true));
+        joints_.push_back(
+            std::make_unique<btGeneric6DofSpringConstraint>(before, body, before.getWorldTransform().inverse() * frame,
+                                                            body.getWorldTransform().inverse() * frame, true));
         btGeneric6DofSpringConstraint& joint = *joints_.back();
         joint.setLinearLowerLimit({0, 0, 0});
         joint.setLinearUpperLimit({0, 0, 0});
@@ -128,7 +129,7 @@ int main(int count, char** arguments) {
     World tried(chains);
     keep(tried.run());
     if (!tried.is_whole()) return std::fputs("tuftwave_bench_bullet: the chains fell apart\n", stderr), 1;
-    measure("bullet.w3", [&] {
+    measure("w3/bullet", [&] {
         World world(chains);
         keep(world.run());
     });

@@ -66,10 +66,10 @@ std::string text_of(const std::vector<std::vector<Numbers>>& pictures) {
 int main(int count, char** arguments) {
     if (count != 2) return std::fputs("usage: tuftwave_bench_json FOLDER\n", stderr), 2;
     const Workloads workloads = read_workloads(arguments[1]);
-    measure("nlohmann.read", [&] { keep(Json::parse(workloads.strokes_text)); });
+    measure("read/nlohmann", [&] { keep(Json::parse(workloads.strokes_text)); });
     const std::vector<Chain> chains = chains_of(workloads);
     const HairMotion motion = moved(chains, motion_of(2));
     const auto pictures = pictures_of(server::chain_poses(chains, motion, {}), motion.schedule.starts.size());
-    measure("nlohmann.pose_text", [&] { keep(text_of(pictures)); });
-    print_value("nlohmann.pose_text.bytes", static_cast<double>(text_of(pictures).size()), "B");
+    measure("pose_text/nlohmann", [&] { keep(text_of(pictures)); });
+    print_value("pose_text_bytes/nlohmann", static_cast<double>(text_of(pictures).size()), "B");
 }

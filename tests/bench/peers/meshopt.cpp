@@ -67,10 +67,10 @@ int main(int count, char** arguments) {
     }
     const Quantised all = quantised(mesh);
     std::size_t bytes = 0;
-    measure("meshopt.encode", [&] {
+    measure("meshopt/library", [&] {
         bytes = encode(all.positions) + encode(all.normals) + encode(all.uvs) +
                 encode_triangles(mesh.indices, mesh.positions.size());
     });
     const double whole = static_cast<double>(mesh.positions.size() * 32 + mesh.indices.size() * 4);
-    print_value("meshopt.size", 100 * static_cast<double>(bytes) / whole, "%");
+    print_value("meshopt_size/library", 100 * static_cast<double>(bytes) / whole, "%");
 }

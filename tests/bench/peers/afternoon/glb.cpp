@@ -96,7 +96,8 @@ std::string mesh_file(const Mesh& mesh) {
 std::string clip_file(const std::vector<Points>& chains, const Poses& poses, int hold, float fps) {
     tinygltf::Model model = empty_model();
     std::vector<float> times;  // the first picture once more at the end, so that the loop closes
-    for (std::size_t n = 0; n <= poses.size(); ++n) times.push_back(static_cast<float>(n) * static_cast<float>(hold) / fps);
+    for (std::size_t n = 0; n <= poses.size(); ++n)
+        times.push_back(static_cast<float>(n) * static_cast<float>(hold) / fps);
     const int input = add_data(model, times, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, 0);
     model.accessors[0].minValues = {static_cast<double>(times.front())};
     model.accessors[0].maxValues = {static_cast<double>(times.back())};

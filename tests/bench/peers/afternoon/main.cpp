@@ -32,11 +32,11 @@ int main(int count, char** arguments) {
     if (count != 2) return std::fputs("usage: tuftwave_bench_afternoon FOLDER\n", stderr), 2;
     const Workloads workloads = read_workloads(arguments[1]);
     const auto strokes = points_of(workloads.strokes), chains = points_of(workloads.chains);
-    measure("afternoon.w1", [&] { keep(tubes(strokes)); });
-    measure("afternoon.one", [&] { keep(tubes({strokes.front()})); });
-    measure("afternoon.w2", [&] { keep(afternoon::clip_file(chains, afternoon::move(chains, 12), 2, 24)); });
-    measure("afternoon.evaluation", [&] { keep(afternoon::move(chains, 12)); });
-    print_value("afternoon.w1.bytes", static_cast<double>(tubes(strokes).size()), "B");
-    print_value("afternoon.w2.bytes",
+    measure("w1/afternoon", [&] { keep(tubes(strokes)); });
+    measure("one/afternoon", [&] { keep(tubes({strokes.front()})); });
+    measure("w2/afternoon", [&] { keep(afternoon::clip_file(chains, afternoon::move(chains, 12), 2, 24)); });
+    measure("evaluation/afternoon", [&] { keep(afternoon::move(chains, 12)); });
+    print_value("w1_bytes/afternoon", static_cast<double>(tubes(strokes).size()), "B");
+    print_value("w2_bytes/afternoon",
                 static_cast<double>(afternoon::clip_file(chains, afternoon::move(chains, 12), 2, 24).size()), "B");
 }

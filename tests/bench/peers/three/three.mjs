@@ -28,12 +28,12 @@ function sceneOf(geometries) {
   return scene;
 }
 
-await measure("three.w1", () => exportGlb(sceneOf([stockMerged(strokes)])));
-await measure("three.w1.transform", () => transformGlb([stockMerged(strokes)]));
-await measure("three.w1.lean_merged", () => exportGlb(sceneOf([leanMerged(strokes)])));
-await measure("three.w1.lean_split", () => exportGlb(sceneOf(leanSplit(strokes))));
-await measure("three.w2", () => threeClip(lines, 12, 2));
-await measure("three.w2.transform", () => transformClip(lines, 12, 2));
-await measure("three.w3", () => bakeLastCycle(springs, 1, 24, 1));
-printValue("three.w1.bytes", (await exportGlb(sceneOf([leanMerged(strokes)]))).byteLength, "B");
-printValue("three.w2.bytes", (await threeClip(lines, 12, 2)).byteLength, "B");
+await measure("w1/three", () => exportGlb(sceneOf([stockMerged(strokes)])));
+await measure("w1/gltf_transform", () => transformGlb([stockMerged(strokes)]));
+await measure("w1/three_lean_merged", () => exportGlb(sceneOf([leanMerged(strokes)])));
+await measure("w1/three_lean_split", () => exportGlb(sceneOf(leanSplit(strokes))));
+await measure("w2/three", () => threeClip(lines, 12, 2));
+await measure("w2/gltf_transform", () => transformClip(lines, 12, 2));
+await measure("w3/three_vrm", () => bakeLastCycle(springs, 1, 24, 1));
+printValue("w1_bytes/three", (await exportGlb(sceneOf([leanMerged(strokes)]))).byteLength, "B");
+printValue("w2_bytes/three", (await threeClip(lines, 12, 2)).byteLength, "B");
