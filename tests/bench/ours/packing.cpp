@@ -12,6 +12,8 @@ namespace {
 using server::gltf::Container;
 using server::gltf::Document;
 
+constexpr int kPrimitiveCalls = 20;
+
 /// A GLB of vertices that are there already. @param vertices  three floats each
 std::string pack(const std::vector<float>& vertices) {
     Document document("bench");
@@ -24,12 +26,20 @@ std::string pack(const std::vector<float>& vertices) {
     return document.write(Container::kGlb);
 }
 
-/// Many of the smallest tubes, so that what each primitive costs beside them is what is seen.
-Hairstyle smallest_tubes(const Workloads& workloads) {
-    Hairstyle hairstyle = hair_of(workloads, workloads.strokes.size());
-    hairstyle.mesh.rings = 2;
-    hairstyle.mesh.sides = 3;
-    return hairstyle;
+/// Many of the smallest tubes, each a primitive, beside all of them in one: call by call, since the difference is
+/// small.
+void measure_primitives(const Workloads& workloads) {
+    Hairstyle tubes = hair_of(workloads, workloads.strokes.size());
+    tubes.mesh.rings = 2;
+    tubes.mesh.sides = 3;
+    server::gltf::Look split = merged_look();
+    split.layout = server::gltf::Layout::kPerTuft;
+    std::vector<double> ms;
+    for (int call = 0; call < kPrimitiveCalls; ++call) {
+        const double merged = time_of([&] { keep(hair_glb(tubes, merged_look(), InOrder())); });
+        ms.push_back(time_of([&] { keep(hair_glb(tubes, split, InOrder())); }) - merged);
+    }
+    print_samples("primitives/tuftwave", ms);
 }
 
 /// As many vertices as W1's GLB without a skin has bytes for.
@@ -51,11 +61,7 @@ void measure_packing(const Workloads& workloads) {
         const std::vector<float> copy(vertices);
         keep(copy.data());
     });
-    const Hairstyle tubes = smallest_tubes(workloads);
-    server::gltf::Look split = merged_look();
-    split.layout = server::gltf::Layout::kPerTuft;
-    measure("tubes_split/tuftwave", [&] { keep(hair_glb(tubes, split, InOrder())); });
-    measure("tubes_merged/tuftwave", [&] { keep(hair_glb(tubes, merged_look(), InOrder())); });
+    measure_primitives(workloads);
 }
 
 }  // namespace tuftwave::bench

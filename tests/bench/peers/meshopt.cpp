@@ -1,6 +1,8 @@
 // The library's own encode calls on W1's vertices, quantised as KHR_mesh_quantization has them, and on its indices.
 //
 //   tuftwave_bench_meshopt FOLDER      with w1.json and w2.json
+//
+// What the service makes of it is to print meshopt/tuftwave and meshopt_size/tuftwave (tests/bench/ours).
 #include <meshoptimizer.h>
 
 #include <cstdint>
