@@ -36,4 +36,5 @@ await measure("w2/three", () => threeClip(lines, 12, 2));
 await measure("w2/gltf_transform", () => transformClip(lines, 12, 2));
 await measure("w3/three_vrm", () => bakeLastCycle(springs, 1, 24, 1));
 printValue("w1_bytes/three", (await exportGlb(sceneOf([leanMerged(strokes)]))).byteLength, "B");
+printValue("w1_bytes/three_lean_split", (await exportGlb(sceneOf(leanSplit(strokes)))).byteLength, "B");
 printValue("w2_bytes/three", (await threeClip(lines, 12, 2)).byteLength, "B");

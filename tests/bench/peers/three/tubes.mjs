@@ -107,12 +107,13 @@ function arraysFor(tubes) {
   return { positions: new Float32Array(3 * VERTICES * tubes), normals: new Float32Array(3 * VERTICES * tubes), uvs: new Float32Array(2 * VERTICES * tubes) };
 }
 
+/** @param indices  BufferAttribute */
 function geometryOf({ positions, normals, uvs }, indices) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(normals, 3));
   geometry.setAttribute("uv", new BufferAttribute(uvs, 2));
-  return geometry.setIndex(new BufferAttribute(indices, 1));
+  return geometry.setIndex(indices);
 }
 
 /** All tubes in one geometry, each array written once. */
@@ -123,16 +124,17 @@ export function leanMerged(strokes) {
     writeVertices(stroke, arrays, VERTICES * i);
     writeIndices(indices, INDICES * i, VERTICES * i);
   });
-  return geometryOf(arrays, indices);
+  return geometryOf(arrays, new BufferAttribute(indices, 1));
 }
 
 /** A geometry for each tube; the triangles are those of the first one. */
 export function leanSplit(strokes) {
   const indices = new Uint16Array(INDICES);
   writeIndices(indices, 0, 0);
+  const shared = new BufferAttribute(indices, 1); // the exporter writes it once
   return strokes.map((stroke) => {
     const arrays = arraysFor(1);
     writeVertices(stroke, arrays, 0);
-    return geometryOf(arrays, indices);
+    return geometryOf(arrays, shared);
   });
 }
