@@ -4,7 +4,9 @@ import { AnimationMixer, LoopRepeat, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 
 export async function askService(url, { head, chains }, period, fps, format) {
-  await setImmediate(); // springs take so long that the server may have closed the connection, which must be noticed first
+  // Springs take so long that the server may have closed the connection; two turns of the loop, so that it is noticed.
+  await setImmediate();
+  await setImmediate();
   const body = JSON.stringify({ head: { center: head }, chains: chains.map(({ name, nodes }) => ({ name, nodes })), motion: { timing: { period, fps, hold: 2 } } });
   const response = await fetch(`${url}/v1/motions?format=${format}`, { method: "POST", headers: { "Content-Type": "application/json" }, body });
   if (!response.ok) throw new Error(`${response.status} ${await response.text()}`);
