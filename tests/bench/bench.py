@@ -27,6 +27,7 @@ from parties import HERE, Party, parties
 
 ROUNDS, SLOW_ROUNDS = 5, 2  # the slow ones are left out of the later rounds
 QUICK_ROUNDS, QUICK_SLOW_ROUNDS = 3, 1
+QUIET = 0.5  # of the load, above which somebody else must be at work
 # What compares whole requests: a program, and the arguments besides --rounds and --seconds.
 HTTP = ((os.path.join(HERE, "http", "compare.py"), ()), (os.path.join(HERE, "whole_requests.py"), ("--server", "--generator")))
 
@@ -95,9 +96,14 @@ def print_table(figures: Figures, everybody: list[Party], present: list[Party]) 
 
 
 def print_figures(figures: Figures) -> None:
-    print("\nMedians, ms unless the name says something else:\n")
-    for name in figures.names():
-        print(f"- {name}: {statistics.median(figures.values(name)):,.4g}")
+    print("\nMedians over the rounds:\n")
+    for name, median, unit in figures.medians():
+        print(f"- {name}: {median:,.4g} {unit}".rstrip())
+
+
+def load() -> float:
+    """Programs that want to run, on average over the last minute."""
+    return os.getloadavg()[0]
 
 
 def main() -> None:
@@ -109,7 +115,9 @@ def main() -> None:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # by which programs are stopped and files removed
 
     rounds, slow_rounds = (QUICK_ROUNDS, QUICK_SLOW_ROUNDS) if options.quick else (ROUNDS, SLOW_ROUNDS)
-    figures = Figures()
+    figures, before = Figures(), load()
+    if before > QUIET:
+        say(f"script/bench: others are at work here (load {before:.1f}); ratios will be off by as much")
     with tempfile.TemporaryDirectory() as work:
         workloads.write(work)
         everybody = parties(os.path.abspath(options.build), work)
@@ -120,8 +128,7 @@ def main() -> None:
     measured = print_table(figures, everybody, present)
     if figures.values("w1_skinned/tuftwave")[0]:
         print("\nW1 was measured with a skin, 56 bytes a vertex instead of 32: nothing asked the service to leave it out.")
-    load = " ".join(f"{part:.1f}" for part in os.getloadavg())
-    print(f"\n{releases.machine()}, {os.cpu_count()} cores, load {load}; {rounds} rounds")
+    print(f"\n{releases.machine()}, {os.cpu_count()} cores, load {before:.1f} before and {load():.1f} after {rounds} rounds")
     if options.release:
         releases.append(options.release, measured)
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import json
 import statistics
-from typing import Callable, Iterator
+from typing import Callable, Iterator, NamedTuple
 
 Values = list[float]  # one for each round
 Measure = Callable[["Figures"], Values]
@@ -23,19 +23,28 @@ class Missing(Exception):
     """Nobody has measured it. Its text is the name."""
 
 
+class Line(NamedTuple):
+    name: str
+    samples: Values
+    unit: str
+
+
 class Figures:
     def __init__(self) -> None:
         self._rounds: dict[str, dict[int, float]] = {}
+        self._units: dict[str, str] = {}
 
     def add(self, output: str, round_number: int) -> None:
         """What a program printed when it was run in that round."""
-        for name, samples in lines(output):
-            self._rounds.setdefault(name, {})[round_number] = statistics.median(samples)
+        for line in lines(output):
+            self._rounds.setdefault(line.name, {})[round_number] = statistics.median(line.samples)
+            self._units[line.name] = line.unit
 
     def add_rounds(self, output: str) -> None:
         """What a program printed that went through all rounds by itself."""
-        for name, samples in lines(output):
-            self._rounds[name] = dict(enumerate(samples))
+        for line in lines(output):
+            self._rounds[line.name] = dict(enumerate(line.samples))
+            self._units[line.name] = line.unit
 
     def values(self, name: str) -> Values:
         return list(self.rounds(name).values())
@@ -45,15 +54,17 @@ class Figures:
             raise Missing(name)
         return self._rounds[name]
 
-    def names(self) -> list[str]:
-        return sorted(self._rounds)
+    def medians(self) -> list[tuple[str, float, str]]:
+        """Everything by name, with its unit."""
+        return [(name, statistics.median(rounds.values()), self._units[name]) for name, rounds in sorted(self._rounds.items())]
 
 
-def lines(output: str) -> Iterator[tuple[str, Values]]:
-    for line in output.splitlines():
-        if line.startswith('{"name"'):
-            row = json.loads(line)
-            yield row["name"], [float(sample) for sample in row.get("ms", row.get("value"))]
+def lines(output: str) -> Iterator[Line]:
+    for text in output.splitlines():
+        if text.startswith('{"name"'):
+            row = json.loads(text)
+            samples, unit = (row["ms"], "ms") if "ms" in row else (row["value"], row["unit"])
+            yield Line(row["name"], [float(sample) for sample in samples], unit)
 
 
 def value(name: str, scale: float = 1) -> Measure:
