@@ -1,5 +1,6 @@
 // W1 and one tuft, warm; the first call of a process; and 20,000 strokes.
 #include <thread>
+#include <utility>
 
 #include "exec/pool.hpp"
 #include "measure.hpp"
@@ -18,7 +19,7 @@ void measure_first(const Workloads& workloads) {
     std::size_t bytes = 0;
     print_samples("w1_first/tuftwave",
                   {time_of([&] { bytes = hair_glb(hairstyle, merged_look(), InOrder()).size(); })});
-    measure("w1_first/warm", [&] { keep(hair_glb(hairstyle, merged_look(), InOrder())); });
+    measure("w1_first/warm", [&] { sent(hair_glb(hairstyle, merged_look(), InOrder())); });
     measure_memory("w1_first", bytes);
 }
 
@@ -28,19 +29,19 @@ void measure_many(const Workloads& workloads) {
     const std::size_t bytes = hair_glb(hairstyle, merged_look(), InOrder()).size();
     print_value("many_bytes/tuftwave", static_cast<double>(bytes), "B");
     print_value("many_peak/tuftwave", peak_bytes() - before, "B");
-    measure("many/tuftwave", [&] { keep(hair_glb(hairstyle, merged_look(), InOrder())); });
+    measure("many/tuftwave", [&] { sent(hair_glb(hairstyle, merged_look(), InOrder())); });
     measure_memory("many", bytes);
 }
 
 void measure_hair(const Workloads& workloads) {
     const Hairstyle thousand = hair_of(workloads, workloads.strokes.size()), one = hair_of(workloads, 1);
     const server::gltf::Look merged = merged_look();
-    measure("w1/tuftwave", [&] { keep(hair_glb(thousand, merged, InOrder())); });
+    measure("w1/tuftwave", [&] { sent(hair_glb(thousand, merged, InOrder())); });
     if (std::thread::hardware_concurrency() > 1) {
         server::Pool helper(1, 1);  // whoever calls takes part, so that two work
-        measure("w1_two/tuftwave", [&] { keep(hair_glb(thousand, merged, helper.for_each())); });
+        measure("w1_two/tuftwave", [&] { sent(hair_glb(thousand, merged, helper.for_each())); });
     }
-    measure("one/tuftwave", [&] { keep(hair_glb(one, merged, InOrder())); });
+    measure("one/tuftwave", [&] { sent(hair_glb(one, merged, InOrder())); });
     const std::string file = hair_glb(thousand, merged, InOrder());
     print_value("w1_bytes/tuftwave", static_cast<double>(file.size()), "B");
     print_value("w1_skinned/tuftwave", file.find("JOINTS_0") == std::string::npos ? 0 : 1, "");

@@ -21,15 +21,15 @@ std::string clip(const std::vector<Chain>& chains, const Motion& motion) {
 void measure_motion(const Workloads& workloads) {
     const std::vector<Chain> chains = chains_of(workloads);
     const Motion twos = motion_of(kOnTwos), ones = motion_of(kOnOnes);
-    measure("w2/tuftwave", [&] { keep(clip(chains, twos)); });
-    measure("w3/tuftwave", [&] { keep(clip(chains, ones)); });
+    measure("w2/tuftwave", [&] { sent(clip(chains, twos)); });
+    measure("w3/tuftwave", [&] { sent(clip(chains, ones)); });
     measure("evaluation/tuftwave", [&] { keep(moved(chains, twos)); });
 
     const HairMotion motion = moved(chains, twos);
     const auto poses = server::chain_poses(chains, motion, {});
     const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
     const nlohmann::ordered_json frame{{"pictures", nullptr}};
-    measure("pose_text/tuftwave", [&] { keep(server::text_with_poses(frame, poses, pictures)); });
+    measure("pose_text/tuftwave", [&] { sent(server::text_with_poses(frame, poses, pictures)); });
     print_value("pose_text_bytes/tuftwave", static_cast<double>(server::text_with_poses(frame, poses, pictures).size()),
                 "B");
     print_value("w2_bytes/tuftwave", static_cast<double>(clip(chains, twos).size()), "B");

@@ -3,6 +3,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
+
+#include "measure.hpp"
+#include "memory/buffers.hpp"
 
 namespace tuftwave::bench {
 namespace {
@@ -52,6 +56,11 @@ Limits no_limits() {
 std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each) {
     const HairPlan plan = value_of(plan_hairstyle(hairstyle, no_limits(), for_each, {}));
     return server::gltf::hair_file(plan, look, "{}", {nlohmann::json()}, server::gltf::Container::kGlb, for_each, {});
+}
+
+void sent(std::string answer) {
+    keep(answer.data());
+    server::memory::give_back(std::move(answer));
 }
 
 std::vector<Chain> chains_of(const Workloads& workloads) {

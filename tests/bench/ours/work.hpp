@@ -33,6 +33,9 @@ Limits no_limits();
 /// The GLB of a hairstyle: planned, meshed and packed. @param for_each  who works
 std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each);
 
+/// What the service does with an answer once it has been sent: its buffer is for the next one.
+void sent(std::string answer);
+
 /// W2's chains as core has them.
 std::vector<Chain> chains_of(const Workloads& workloads);
 
