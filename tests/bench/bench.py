@@ -126,8 +126,6 @@ def main() -> None:
     whole_requests(os.path.abspath(options.build), rounds, figures)
     print_figures(figures)
     measured = print_table(figures, everybody, present)
-    if figures.values("w1_skinned/tuftwave")[0]:
-        print("\nW1 was measured with a skin, 56 bytes a vertex instead of 32: nothing asked the service to leave it out.")
     print(f"\n{releases.machine()}, {os.cpu_count()} cores, load {before:.1f} before and {load():.1f} after {rounds} rounds")
     if options.release:
         releases.append(options.release, measured)

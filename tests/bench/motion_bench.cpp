@@ -55,7 +55,7 @@ void move_w2(benchmark::State& state, double tip_exponent) {
 BENCHMARK_CAPTURE(move_w2, straight_envelope, 1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(move_w2, curved_envelope, 1.7)->Unit(benchmark::kMillisecond);
 
-std::string clip_of(const std::vector<Chain>& chains, const HairMotion& motion) {
+gltf::File clip_of(const std::vector<Chain>& chains, const HairMotion& motion) {
     return gltf::clip_file(chains, motion, "{}", {nlohmann::json::object()}, gltf::Container::kGlb);
 }
 

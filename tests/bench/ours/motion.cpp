@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kOnOnes = 1, kOnTwos = 2;
 
-std::string clip(const std::vector<Chain>& chains, const Motion& motion) {
+server::gltf::File clip(const std::vector<Chain>& chains, const Motion& motion) {
     return server::gltf::clip_file(chains, moved(chains, motion), "{}", {nlohmann::json::object()},
                                    server::gltf::Container::kGlb);
 }
@@ -29,10 +29,10 @@ void measure_motion(const Workloads& workloads) {
     const auto poses = server::chain_poses(chains, motion, {});
     const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
     const nlohmann::ordered_json frame{{"pictures", nullptr}};
-    measure("pose_text/tuftwave", [&] { sent(server::text_with_poses(frame, poses, pictures)); });
+    measure("pose_text/tuftwave", [&] { sent({server::text_with_poses(frame, poses, pictures)}); });
     print_value("pose_text_bytes/tuftwave", static_cast<double>(server::text_with_poses(frame, poses, pictures).size()),
                 "B");
-    print_value("w2_bytes/tuftwave", static_cast<double>(clip(chains, twos).size()), "B");
+    print_value("w2_bytes/tuftwave", static_cast<double>(clip(chains, twos).bytes().size()), "B");
 }
 
 }  // namespace tuftwave::bench

@@ -11,12 +11,6 @@
 namespace tuftwave::bench {
 namespace {
 
-/// Whether the service can be asked for vertices of positions, normals and UVs only, and here is.
-template <class Options>
-void leave_skin_out(Options& options) {
-    if constexpr (requires { options.skin = false; }) options.skin = false;
-}
-
 template <class Value>
 Value value_of(Result<Value> result) {
     if (!result) throw std::runtime_error(result.error().field + ": " + result.error().allowed);
@@ -31,18 +25,16 @@ Hairstyle hair_of(const Workloads& workloads, std::size_t strokes) {
         Tuft& tuft = hairstyle.tufts.emplace_back();
         for (const Point& point : workloads.strokes[i % workloads.strokes.size()])
             tuft.points.push_back({point[0], point[1], point[2]});
-        tuft.joints = 1;  // the fewest: W1 is about vertices
     }
     hairstyle.mesh.rings = 64;
     hairstyle.mesh.sides = 12;
-    leave_skin_out(hairstyle.mesh);
+    hairstyle.mesh.skin = false;
     return hairstyle;
 }
 
 server::gltf::Look merged_look() {
     server::gltf::Look look;
     look.layout = server::gltf::Layout::kMerged;
-    leave_skin_out(look);
     return look;
 }
 
@@ -53,14 +45,14 @@ Limits no_limits() {
     return limits;
 }
 
-std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each) {
+server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each) {
     const HairPlan plan = value_of(plan_hairstyle(hairstyle, no_limits(), for_each, {}));
     return server::gltf::hair_file(plan, look, "{}", {nlohmann::json()}, server::gltf::Container::kGlb, for_each, {});
 }
 
-void sent(std::string answer) {
-    keep(answer.data());
-    server::memory::give_back(std::move(answer));
+void sent(server::gltf::File file) {
+    keep(file.memory.data());
+    server::memory::give_back(std::move(file.memory));
 }
 
 std::vector<Chain> chains_of(const Workloads& workloads) {

@@ -31,10 +31,10 @@ server::gltf::Look merged_look();
 Limits no_limits();
 
 /// The GLB of a hairstyle: planned, meshed and packed. @param for_each  who works
-std::string hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each);
+server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each);
 
 /// What the service does with an answer once it has been sent: its buffer is for the next one.
-void sent(std::string answer);
+void sent(server::gltf::File file);
 
 /// W2's chains as core has them.
 std::vector<Chain> chains_of(const Workloads& workloads);
