@@ -42,7 +42,7 @@ std::optional<Problem> check_media_type(const Request& request, std::initializer
         ProblemCode::kUnsupportedMediaType, "Send the body with Content-Type: " + types + ".", {}, {{"Accept", types}}};
 }
 
-std::variant<nlohmann::json, Problem> read_body(const Request& request) {
+std::variant<JsonDocument, Problem> read_body(const Request& request) {
     if (auto problem = check_media_type(request, {"application/json"})) return *std::move(problem);
     return parse_guarded(request.body, JsonLimits{});
 }

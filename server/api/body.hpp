@@ -1,7 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -18,7 +17,7 @@ std::optional<Problem> check_media_type(const Request& request, std::initializer
 
 /// A request's JSON body.
 /// @return  the document, unsupported_media_type, or what parse_guarded says
-std::variant<nlohmann::json, Problem> read_body(const Request& request);
+std::variant<JsonDocument, Problem> read_body(const Request& request);
 
 /// Refuses query parameters that nobody asked for, that come twice or that are not UTF-8.
 /// @return  nothing, unknown_field, duplicate_key or wrong_type

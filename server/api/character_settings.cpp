@@ -1,7 +1,6 @@
 #include "api/character_settings.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "api/choices.hpp"
 #include "api/read_nouns.hpp"
@@ -50,12 +49,12 @@ std::variant<CharacterSettings, Problem> read_character_settings(const Request& 
         if (value.empty())
             return fields_problem({{ProblemCode::kWrongType, "?" + name.substr(0, 64), "", "a value", {}, {}}});
     }
-    const nlohmann::json body = query_body(request, kQueryFields);
+    const JsonDocument body = query_body(request, kQueryFields);
     CharacterSettings read;
     FieldProblems problems;
     const Place root;
-    Fields fields(body, root, problems);
-    fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
+    Fields fields(body.root(), root, problems);
+    fields.member("motion", [&](const JsonValue motion, const Place& place) {
         read_motion(motion, place, problems, limits, read.motion);
     });
     read_formulas(fields, read.formulas);

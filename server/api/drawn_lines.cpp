@@ -8,31 +8,34 @@
 namespace tuftwave::server {
 namespace {
 
-using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
 /// A line's nodes, each of three numbers, or of two, which lie in the plane z = 0.
-void read_line(const json& value, const Place& place, std::size_t most, FieldProblems& problems, Line& into) {
-    const auto refuse = [&](const json& given, const Place& at, const char* wanted) {
+void read_line(const JsonValue value, const Place& place, std::size_t most, FieldProblems& problems, Line& into) {
+    const auto refuse = [&](const JsonValue given, const Place& at, const char* wanted) {
         problems.add({ProblemCode::kWrongType, at.pointer(), echo(given), wanted, {}, {}});
     };
     if (!value.is_array()) return refuse(value, place, "an array of points");
-    if (const Check wrong = check_count(value.size(), 0, most, ""))
+    const std::size_t count = value.size();
+    if (const Check wrong = check_count(count, 0, most, ""))
         return problems.add(to_field_problem(*wrong, place.pointer()));
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const json& point = value[i];
-        const Place at(place, i);
+    into.reserve(count);
+    std::size_t i = 0;
+    for (const JsonValue point : value.items()) {
+        const Place at(place, i++);
         if (!point.is_array() || point.size() < 2 || point.size() > 3) {
             refuse(point, at, "two or three numbers");
             continue;
         }
         double parts[3] = {};
-        for (std::size_t axis = 0; axis < point.size(); ++axis) {
-            if (const auto number = as_number(point[axis])) {
+        std::size_t axis = 0;
+        for (const JsonValue part : point.items()) {
+            if (const auto number = part.number()) {
                 parts[axis] = *number;
             } else {
-                refuse(point[axis], Place(at, axis), "a number");
+                refuse(part, Place(at, axis), "a number");
             }
+            ++axis;
         }
         into.push_back({parts[0], parts[1], parts[2]});
     }
@@ -40,14 +43,14 @@ void read_line(const json& value, const Place& place, std::size_t most, FieldPro
 
 void read_pictures(Fields& fields, FieldProblems& problems, const Limits& limits, std::vector<Line>& into) {
     fields.require("pictures");
-    fields.items("pictures", limits.pictures, [&](const json& picture, const Place& at) {
-        read_line(picture, at, limits.nodes_per_chain, problems, into.emplace_back());
+    fields.elements("pictures", limits.pictures, into, [&](const JsonValue picture, const Place& at, Line& line) {
+        read_line(picture, at, limits.nodes_per_chain, problems, line);
     });
 }
 
 }  // namespace
 
-void read_compared_lines(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_compared_lines(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
                          ComparedLines& into) {
     Fields fields(value, place, problems);
     fields.text("name", kLongestName, into.name);
@@ -56,12 +59,12 @@ void read_compared_lines(const json& value, const Place& place, FieldProblems& p
     fields.done();
 }
 
-void read_fitted_lines(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_fitted_lines(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
                        Drawing& into) {
     Fields fields(value, place, problems);
     fields.text("name", kLongestName, into.name);
     read_pictures(fields, problems, limits, into.pictures);
-    fields.optional_member("rest", [&](const json& rest, const Place& at) {
+    fields.optional_member("rest", [&](const JsonValue rest, const Place& at) {
         read_line(rest, at, limits.nodes_per_chain, problems, into.rest.emplace());
     });
     fields.done();

@@ -21,9 +21,9 @@ struct ComparedLines {
     std::optional<double> rest_length;
 };
 
-void read_compared_lines(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_compared_lines(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits,
                          ComparedLines& into);
-void read_fitted_lines(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_fitted_lines(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits,
                        Drawing& into);
 
 nlohmann::ordered_json error_json(const LineError& error);

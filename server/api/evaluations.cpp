@@ -33,24 +33,27 @@ FieldProblem unequal(const std::string& pointer, std::size_t given, std::size_t 
             count};
 }
 
+void read_lines(Fields& fields, std::string_view name, FieldProblems& problems, const Limits& limits,
+                std::vector<ComparedLines>& into) {
+    fields.elements(name, limits.chains, into, [&](const JsonValue value, const Place& place, ComparedLines& lines) {
+        read_compared_lines(value, place, problems, limits, lines);
+    });
+}
+
 /// What is compared: other lines, or chains and how they move.
 void read_compared(Fields& fields, FieldProblems& problems, const Limits& limits, EvaluationRequest& into) {
     bool has_chains = false, has_motion = false;
-    fields.optional_member("lines", [&](const nlohmann::json&, const Place&) {
-        fields.items("lines", limits.chains, [&](const nlohmann::json& lines, const Place& place) {
-            if (!into.lines) into.lines.emplace();
-            read_compared_lines(lines, place, problems, limits, into.lines->emplace_back());
-        });
-        if (!into.lines) into.lines.emplace();
-    });
-    fields.optional_member("chains", [&](const nlohmann::json&, const Place&) {
+    fields.optional_member(
+        "lines", [&](JsonValue, const Place&) { read_lines(fields, "lines", problems, limits, into.lines.emplace()); });
+    fields.optional_member("chains", [&](JsonValue, const Place&) {
         has_chains = true;
-        fields.items("chains", limits.chains, [&](const nlohmann::json& chain, const Place& place) {
-            read_chain(chain, place, problems, limits, into.chains.emplace_back());
-        });
+        fields.elements("chains", limits.chains, into.chains,
+                        [&](const JsonValue value, const Place& place, Chain& chain) {
+                            read_chain(value, place, problems, limits, chain);
+                        });
     });
-    fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
-        has_motion = !motion.empty();
+    fields.member("motion", [&](const JsonValue motion, const Place& place) {
+        has_motion = !motion.is_null() && !(motion.is_nested() && motion.size() == 0);
         read_motion(motion, place, problems, limits, into.motion);
     });
     if (into.lines && has_chains) {
@@ -62,15 +65,13 @@ void read_compared(Fields& fields, FieldProblems& problems, const Limits& limits
     }
 }
 
-std::variant<EvaluationRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+std::variant<EvaluationRequest, Problem> read_request(const JsonValue body, const Limits& limits) {
     EvaluationRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
     fields.require("drawn");
-    fields.items("drawn", limits.chains, [&](const nlohmann::json& lines, const Place& place) {
-        read_compared_lines(lines, place, problems, limits, read.drawn.emplace_back());
-    });
+    read_lines(fields, "drawn", problems, limits, read.drawn);
     if (body.is_object()) read_compared(fields, problems, limits, read);
     read_formulas(fields, read.formulas);
     fields.done();
@@ -183,7 +184,7 @@ Answer post_evaluations(const Request& request, const Context& context) {
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    auto read = read_request(std::get<nlohmann::json>(body), context.limits);
+    auto read = read_request(std::get<JsonDocument>(body).root(), context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
 
     const auto& wanted = std::get<EvaluationRequest>(read);

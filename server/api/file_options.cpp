@@ -1,7 +1,6 @@
 #include "api/file_options.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "api/choices.hpp"
 #include "api/query_body.hpp"
@@ -24,11 +23,11 @@ bool repeats(Format format) { return format == Format::kXdts || format == Format
 }  // namespace
 
 std::variant<FileOptions, Problem> read_file_options(const Request& request, Format format, const Limits& limits) {
-    const nlohmann::json body = query_body(request, kQueryFields);
+    const JsonDocument body = query_body(request, kQueryFields);
     FileOptions read;
     FieldProblems problems;
     const Place root;
-    Fields fields(body, root, problems);
+    Fields fields(body.root(), root, problems);
     fields.integer("repeat", limits.repeat, read.repeat);
     fields.choice("interpolation", kHoldings, read.holding);
     fields.choice("clip", kClipKinds, read.kind);

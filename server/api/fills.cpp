@@ -21,33 +21,31 @@ struct FillRequest {
     FillSettings settings;
 };
 
-void read_fill(const nlohmann::json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_fill(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
                FillRequest& into) {
     Fields fields(value, place, problems);
     fields.require("from");
-    fields.member(
-        "from", [&](const nlohmann::json& tuft, const Place& at) { read_tuft(tuft, at, problems, limits, into.from); });
-    fields.optional_member("to", [&](const nlohmann::json& tuft, const Place& at) {
-        read_tuft(tuft, at, problems, limits, into.to.emplace());
-    });
+    fields.member("from",
+                  [&](const JsonValue tuft, const Place& at) { read_tuft(tuft, at, problems, limits, into.from); });
+    fields.optional_member(
+        "to", [&](const JsonValue tuft, const Place& at) { read_tuft(tuft, at, problems, limits, into.to.emplace()); });
     read_fill_settings(fields, problems, into.settings);
     read_formulas(fields, into.settings.formulas);
     fields.done();
 }
 
-std::variant<FillRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+std::variant<FillRequest, Problem> read_request(const JsonValue body, const Limits& limits) {
     FillRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
     fields.require("fill");
-    fields.member("head", [&](const nlohmann::json& head, const Place& place) {
+    fields.member("head", [&](const JsonValue head, const Place& place) {
         read_head(head, place, problems, limits, read.hair.hairstyle.head);
     });
-    fields.member("fill", [&](const nlohmann::json& fill, const Place& place) {
-        read_fill(fill, place, problems, limits, read);
-    });
-    fields.member("mesh", [&](const nlohmann::json& mesh, const Place& place) {
+    fields.member("fill",
+                  [&](const JsonValue fill, const Place& place) { read_fill(fill, place, problems, limits, read); });
+    fields.member("mesh", [&](const JsonValue mesh, const Place& place) {
         read_mesh(mesh, place, problems, limits, read.hair.hairstyle.mesh, read.hair.look);
     });
     fields.done();
@@ -106,7 +104,7 @@ Answer post_fills(const Request& request, const Context& context) {
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    auto read = read_request(std::get<nlohmann::json>(body), context.limits);
+    auto read = read_request(std::get<JsonDocument>(body).root(), context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
 
     auto& wanted = std::get<FillRequest>(read);

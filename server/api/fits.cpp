@@ -22,19 +22,19 @@ struct FitRequest {
     Formulas formulas = Formulas::kCorrected;
 };
 
-std::variant<FitRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+std::variant<FitRequest, Problem> read_request(const JsonValue body, const Limits& limits) {
     FitRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
     fields.require("drawn");
-    fields.items("drawn", limits.chains, [&](const nlohmann::json& lines, const Place& place) {
-        read_fitted_lines(lines, place, problems, limits, read.drawn.emplace_back());
+    fields.elements("drawn", limits.chains, read.drawn, [&](const JsonValue value, const Place& place, Drawing& lines) {
+        read_fitted_lines(value, place, problems, limits, lines);
     });
     fields.choice("mode", kModes, read.settings.mode);
     fields.vector("wind", read.settings.wind);
     fields.vector("up", read.settings.up);
-    fields.optional_member("timing", [&](const nlohmann::json& timing, const Place& place) {
+    fields.optional_member("timing", [&](const JsonValue timing, const Place& place) {
         read_timing(timing, place, problems, limits, read.timing.emplace());
     });
     read_formulas(fields, read.formulas);
@@ -105,7 +105,7 @@ Answer post_fits(const Request& request, const Context& context) {
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    auto read = read_request(std::get<nlohmann::json>(body), context.limits);
+    auto read = read_request(std::get<JsonDocument>(body).root(), context.limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
 
     const auto& wanted = std::get<FitRequest>(read);

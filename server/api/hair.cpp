@@ -37,13 +37,13 @@ std::optional<std::size_t> find_tuft(const std::vector<Tuft>& tufts, const std::
     return found;
 }
 
-void read_fill(const nlohmann::json& value, const Place& place, FieldProblems& problems, Hairstyle& hairstyle) {
+void read_fill(const JsonValue value, const Place& place, FieldProblems& problems, Hairstyle& hairstyle) {
     HairFill& fill = hairstyle.fills.emplace_back();
     fill.settings.name = "fill" + std::to_string(hairstyle.fills.size());
     Fields fields(value, place, problems);
     fields.require("from");
     std::optional<std::string> from, to;
-    if (value.is_object() && value.contains("from")) fields.text("from", kLongestName, from.emplace());
+    if (value.find("from")) fields.text("from", kLongestName, from.emplace());
     fields.text("to", kLongestName, to);
     read_fill_settings(fields, problems, fill.settings);
     std::optional<Formulas> formulas;
@@ -55,31 +55,30 @@ void read_fill(const nlohmann::json& value, const Place& place, FieldProblems& p
     if (to) fill.to = find_tuft(hairstyle.tufts, *to, place.pointer() + "/to", problems);
 }
 
-std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillness stillness, const Limits& limits) {
+std::variant<HairRequest, Problem> read_hair(const JsonValue body, Stillness stillness, const Limits& limits) {
     HairRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
     Hairstyle& hairstyle = read.hairstyle;
     fields.require("tufts");
-    fields.member("head", [&](const nlohmann::json& head, const Place& place) {
+    fields.member("head", [&](const JsonValue head, const Place& place) {
         read_head(head, place, problems, limits, hairstyle.head);
     });
-    fields.items("tufts", limits.tufts, [&](const nlohmann::json& tuft, const Place& place) {
-        read_tuft(tuft, place, problems, limits, hairstyle.tufts.emplace_back());
+    fields.elements("tufts", limits.tufts, hairstyle.tufts, [&](const JsonValue value, const Place& place, Tuft& tuft) {
+        read_tuft(value, place, problems, limits, tuft);
     });
-    fields.member("mesh", [&](const nlohmann::json& mesh, const Place& place) {
+    fields.member("mesh", [&](const JsonValue mesh, const Place& place) {
         read_mesh(mesh, place, problems, limits, hairstyle.mesh, read.look);
     });
     if (stillness == Stillness::kMoving) {
-        fields.optional_member("motion", [&](const nlohmann::json& motion, const Place& place) {
+        fields.optional_member("motion", [&](const JsonValue motion, const Place& place) {
             hairstyle.motion.emplace().up = hairstyle.head.up;
             read_motion(motion, place, problems, limits, *hairstyle.motion);
         });
         read_formulas(fields, hairstyle.formulas);
-        fields.items("fills", limits.fills, [&](const nlohmann::json& fill, const Place& place) {
-            read_fill(fill, place, problems, hairstyle);
-        });
+        fields.items("fills", limits.fills,
+                     [&](const JsonValue fill, const Place& place) { read_fill(fill, place, problems, hairstyle); });
     }
     fields.done();
     if (!problems.empty()) return fields_problem(problems.take());
@@ -90,7 +89,7 @@ std::variant<HairRequest, Problem> read_hair(const nlohmann::json& body, Stillne
 std::variant<HairRequest, Problem> read_hair(const Request& request, Stillness stillness, const Limits& limits) {
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    return read_hair(std::get<nlohmann::json>(body), stillness, limits);
+    return read_hair(std::get<JsonDocument>(body).root(), stillness, limits);
 }
 
 std::string report_text(const HairRequest& hair, const HairPlan& plan, const std::stop_token& stop) {

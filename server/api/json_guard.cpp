@@ -1,6 +1,8 @@
 #include "api/json_guard.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -136,12 +138,14 @@ class Scan {
     std::optional<Problem> problem_;
 };
 
+std::optional<Problem> check_size(std::string_view body, const JsonLimits& limits) {
+    if (body.size() <= limits.bytes) return {};
+    return refusal(ProblemCode::kTooLarge, "The JSON has " + std::to_string(body.size()) + " bytes; at most " +
+                                               std::to_string(limits.bytes) + " are allowed.");
+}
+
 template <class Json>
-std::variant<Json, Problem> parse(std::string_view body, const JsonLimits& limits) {
-    if (body.size() > limits.bytes)
-        return refusal(ProblemCode::kTooLarge, "The JSON has " + std::to_string(body.size()) + " bytes; at most " +
-                                                   std::to_string(limits.bytes) + " are allowed.");
-    if (std::optional<Problem> problem = Scan(body, limits).run()) return *std::move(problem);
+std::variant<Json, Problem> parse_exactly(std::string_view body) {
     try {
         return Json::parse(body);
     } catch (const nlohmann::json::parse_error& error) {
@@ -152,14 +156,89 @@ std::variant<Json, Problem> parse(std::string_view body, const JsonLimits& limit
     }
 }
 
+/// How often any of `marks` occurs, within text as well.
+template <std::size_t count>
+std::array<std::size_t, count> count_marks(std::string_view body, const std::array<char, count>& marks) {
+    constexpr std::size_t kBlock = 255;  // bytes; what fits into a counter of one byte, of which vectors hold the most
+    std::array<std::size_t, count> found{};
+    for (; !body.empty(); body.remove_prefix(std::min(kBlock, body.size()))) {
+        for (std::size_t i = 0; i < count; ++i) {
+            std::uint8_t in_block = 0;
+            for (const char c : body.substr(0, kBlock))
+                in_block = static_cast<std::uint8_t>(in_block + (c == marks[i]));
+            found[i] += in_block;
+        }
+    }
+    return found;
+}
+
+/// Whether the scan would find neither an escaped key nor too many values, by what can be told fast.
+bool is_moderate(std::string_view body, const JsonLimits& limits) {
+    constexpr std::size_t kMostPerByte = kValueCost + std::max(kListCost, kObjectCost) + 1;
+    if (body.find('\\') != std::string_view::npos) return false;
+    if (body.size() < limits.values && body.size() * kMostPerByte <= limits.memory) return true;
+    const auto [commas, lists, objects, quotes] = count_marks<4>(body, {',', '[', '{', '"'});
+    const std::size_t values = 1 + commas + lists + objects;
+    const std::size_t memory = values * kValueCost + lists * kListCost + objects * kObjectCost +
+                               (1 + quotes / 2) * (kKeyCost + kLongTextCost) + body.size();
+    return values <= limits.values && memory <= limits.memory;
+}
+
+bool is_repeated(const simdjson::dom::object members, const simdjson::dom::object::iterator& member) {
+    for (auto before = members.begin(); before != member; ++before) {
+        if (before.key() == member.key()) return true;
+    }
+    return false;
+}
+
+/// Whether the scan would find nothing about nesting and keys. @param levels  how many there may be
+bool is_sound(const JsonValue value, const std::size_t levels, const JsonLimits& limits) {
+    const auto is_sound_within = [&](const JsonValue inner) {
+        return !inner.is_nested() || is_sound(inner, levels - 1, limits);
+    };
+    if (value.is_nested() && levels == 0) return false;
+    if (value.is_array()) {
+        for (const JsonValue item : value.items()) {
+            if (!is_sound_within(item)) return false;
+        }
+    }
+    if (value.is_object()) {
+        const simdjson::dom::object members = value.members();
+        if (members.size() > limits.keys_per_object) return false;
+        for (auto member = members.begin(); member != members.end(); ++member) {
+            if (is_repeated(members, member) || !is_sound_within(member.value())) return false;
+        }
+    }
+    return true;
+}
+
+/// The document of what is as nearly all requests are; nothing where only the scan can tell.
+std::optional<JsonDocument> parse_usual(std::string_view body, const JsonLimits& limits) {
+    if (!is_moderate(body, limits)) return {};
+    std::optional<JsonDocument> document = JsonDocument::parse(body);
+    if (document && !is_sound(document->root(), limits.depth, limits)) document.reset();
+    return document;
+}
+
 }  // namespace
 
-std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits) {
-    return parse<nlohmann::json>(body, limits);
+std::variant<JsonDocument, Problem> parse_guarded(std::string_view body, const JsonLimits& limits) {
+    if (auto problem = check_size(body, limits)) return *std::move(problem);
+    if (auto usual = parse_usual(body, limits)) return *std::move(usual);
+    if (auto problem = Scan(body, limits).run()) return *std::move(problem);
+    if (auto document = JsonDocument::parse(body)) return *std::move(document);
+    auto exact = parse_exactly<nlohmann::json>(body);
+    if (auto* problem = std::get_if<Problem>(&exact)) return std::move(*problem);
+    // It has a number that only doubles can hold, or a byte order mark: written anew it has not.
+    const std::string anew = std::get<nlohmann::json>(exact).dump();
+    exact = Problem{};  // may be the largest part of all
+    return JsonDocument::parse(anew).value();
 }
 
 std::variant<nlohmann::ordered_json, Problem> parse_guarded_in_order(std::string_view body, const JsonLimits& limits) {
-    return parse<nlohmann::ordered_json>(body, limits);
+    if (auto problem = check_size(body, limits)) return *std::move(problem);
+    if (auto problem = Scan(body, limits).run()) return *std::move(problem);
+    return parse_exactly<nlohmann::ordered_json>(body);
 }
 
 }  // namespace tuftwave::server

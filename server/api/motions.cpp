@@ -26,20 +26,20 @@ struct MotionRequest {
     Formulas formulas = Formulas::kCorrected;
 };
 
-std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+std::variant<MotionRequest, Problem> read_request(const JsonValue body, const Limits& limits) {
     MotionRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
     fields.require("chains");
-    fields.member("head", [&](const nlohmann::json& head, const Place& place) {
+    fields.member("head", [&](const JsonValue head, const Place& place) {
         read_head(head, place, problems, limits, read.head.emplace());
     });
     if (read.head) read.motion.up = read.head->up;
-    fields.items("chains", limits.chains, [&](const nlohmann::json& chain, const Place& place) {
-        read_chain(chain, place, problems, limits, read.chains.emplace_back());
+    fields.elements("chains", limits.chains, read.chains, [&](const JsonValue value, const Place& place, Chain& chain) {
+        read_chain(value, place, problems, limits, chain);
     });
-    fields.member("motion", [&](const nlohmann::json& motion, const Place& place) {
+    fields.member("motion", [&](const JsonValue motion, const Place& place) {
         read_motion(motion, place, problems, limits, read.motion);
     });
     read_formulas(fields, read.formulas);
@@ -52,7 +52,7 @@ std::variant<MotionRequest, Problem> read_request(const nlohmann::json& body, co
 std::variant<MotionRequest, Problem> read_request(const Request& request, const Limits& limits) {
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    return read_request(std::get<nlohmann::json>(body), limits);
+    return read_request(std::get<JsonDocument>(body).root(), limits);
 }
 
 /// Chains that do not say where outward is take it from the head.

@@ -74,7 +74,7 @@ std::vector<std::string_view> names_of(std::span<const QueryField> fields) {
     return names;
 }
 
-nlohmann::json query_body(const Request& request, std::span<const QueryField> fields) {
+JsonDocument query_body(const Request& request, std::span<const QueryField> fields) {
     nlohmann::json body = nlohmann::json::object();
     for (const auto& [name, value] : request.query) {
         const QueryField* const row = row_of(name, fields);
@@ -83,7 +83,7 @@ nlohmann::json query_body(const Request& request, std::span<const QueryField> fi
         place = row->value == QueryValue::kText ? nlohmann::json(value) : value_in(value);
         if (row->value == QueryValue::kNumbers && place.is_number()) place = nlohmann::json::array({place});
     }
-    return body;
+    return JsonDocument::parse(body.dump()).value();
 }
 
 Problem as_query_problem(Problem problem, std::span<const QueryField> fields) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "api/exchange.hpp"
+#include "api/json_value.hpp"
 #include "api/problem.hpp"
 
 namespace tuftwave::server {
@@ -26,7 +26,7 @@ std::vector<std::string_view> names_of(std::span<const QueryField> fields);
 /// The query as the body it stands for: "0.5" becomes a number, "1,0,0" an array of them, "true" a boolean, anything
 /// else is text. So a setting is read and refused alike wherever it comes from. Parameters that have no row are left
 /// out.
-nlohmann::json query_body(const Request& request, std::span<const QueryField> fields);
+JsonDocument query_body(const Request& request, std::span<const QueryField> fields);
 
 /// A problem found in such a body, with the query's names: "/timing/period" is "?period" again.
 Problem as_query_problem(Problem problem, std::span<const QueryField> fields);

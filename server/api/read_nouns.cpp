@@ -1,17 +1,13 @@
 #include "api/read_nouns.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/choices.hpp"
 
 namespace tuftwave::server {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kLongestFillName = 48;  // characters; leaves room for an underscore and a number
 
-void read_wave(const json& value, const Place& place, FieldProblems& problems, Wave& into) {
+void read_wave(const JsonValue value, const Place& place, FieldProblems& problems, Wave& into) {
     Fields fields(value, place, problems);
     fields.number("amplitude", into.amplitude);
     fields.number("spatial_period", into.spatial_period);
@@ -20,7 +16,8 @@ void read_wave(const json& value, const Place& place, FieldProblems& problems, W
     fields.done();
 }
 
-void read_phasing(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Phasing& into) {
+void read_phasing(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
+                  Phasing& into) {
     Fields fields(value, place, problems);
     fields.choice("step", kPhaseSteps, into.step);
     fields.number("gust_wavelength", into.gust_wavelength);
@@ -30,7 +27,7 @@ void read_phasing(const json& value, const Place& place, FieldProblems& problems
     fields.done();
 }
 
-ScalpEllipsoid read_scalp_ellipsoid(const json& value, const Place& place, FieldProblems& problems) {
+ScalpEllipsoid read_scalp_ellipsoid(const JsonValue value, const Place& place, FieldProblems& problems) {
     ScalpEllipsoid ellipsoid;
     Fields fields(value, place, problems);
     fields.require("radii");
@@ -40,7 +37,7 @@ ScalpEllipsoid read_scalp_ellipsoid(const json& value, const Place& place, Field
     return ellipsoid;
 }
 
-ScalpMesh read_scalp_mesh(const json& value, const Place& place, FieldProblems& problems, const Limits& limits) {
+ScalpMesh read_scalp_mesh(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits) {
     ScalpMesh mesh;
     Fields fields(value, place, problems);
     fields.require("positions");
@@ -51,15 +48,15 @@ ScalpMesh read_scalp_mesh(const json& value, const Place& place, FieldProblems& 
     return mesh;
 }
 
-void read_scalp(const json& value, const Place& place, FieldProblems& problems, const Limits& limits,
+void read_scalp(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
                 ScalpShape& into) {
     Fields fields(value, place, problems);
     int shapes = 0;
-    fields.optional_member("ellipsoid", [&](const json& ellipsoid, const Place& at) {
+    fields.optional_member("ellipsoid", [&](const JsonValue ellipsoid, const Place& at) {
         into = read_scalp_ellipsoid(ellipsoid, at, problems);
         ++shapes;
     });
-    fields.optional_member("mesh", [&](const json& mesh, const Place& at) {
+    fields.optional_member("mesh", [&](const JsonValue mesh, const Place& at) {
         into = read_scalp_mesh(mesh, at, problems, limits);
         ++shapes;
     });
@@ -73,7 +70,7 @@ void read_scalp(const json& value, const Place& place, FieldProblems& problems, 
                       {}});
 }
 
-Origin read_origin(const json& value, const Place& place, FieldProblems& problems, const Limits& limits) {
+Origin read_origin(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits) {
     Origin origin;
     Fields fields(value, place, problems);
     fields.require("kind");
@@ -85,7 +82,7 @@ Origin read_origin(const json& value, const Place& place, FieldProblems& problem
     return origin;
 }
 
-void read_densities(const json& value, const Place& place, FieldProblems& problems, Densities& into) {
+void read_densities(const JsonValue value, const Place& place, FieldProblems& problems, Densities& into) {
     Fields fields(value, place, problems);
     fields.number("along", into.along);
     fields.number("crown", into.crown);
@@ -95,7 +92,7 @@ void read_densities(const json& value, const Place& place, FieldProblems& proble
 
 }  // namespace
 
-void read_head(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Head& into) {
+void read_head(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits, Head& into) {
     Fields fields(value, place, problems);
     fields.vector("center", into.center);
     fields.vector("up", into.up);
@@ -103,11 +100,11 @@ void read_head(const json& value, const Place& place, FieldProblems& problems, c
     fields.number("root_depth", into.root_depth);
     fields.number("diameter_at_100", into.diameter_at_100);
     fields.optional_member(
-        "scalp", [&](const json& scalp, const Place& at) { read_scalp(scalp, at, problems, limits, into.scalp); });
+        "scalp", [&](const JsonValue scalp, const Place& at) { read_scalp(scalp, at, problems, limits, into.scalp); });
     fields.done();
 }
 
-void read_tuft(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Tuft& into) {
+void read_tuft(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits, Tuft& into) {
     Fields fields(value, place, problems);
     fields.require("points");
     fields.text("name", kLongestName, into.name);
@@ -122,13 +119,13 @@ void read_tuft(const json& value, const Place& place, FieldProblems& problems, c
     fields.integer("joints", limits.joints_per_tuft, into.joints);
     fields.number("phase", into.phase);
     fields.integer("cycles", limits.cycles, into.cycles);
-    fields.optional_member("origin", [&](const json& origin, const Place& at) {
+    fields.optional_member("origin", [&](const JsonValue origin, const Place& at) {
         into.origin = read_origin(origin, at, problems, limits);
     });
     fields.done();
 }
 
-void read_chain(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Chain& into) {
+void read_chain(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits, Chain& into) {
     Fields fields(value, place, problems);
     fields.require("nodes");
     fields.text("name", kLongestName, into.name);
@@ -141,12 +138,12 @@ void read_chain(const json& value, const Place& place, FieldProblems& problems, 
     fields.number("phase", into.phase);
     fields.integer("cycles", limits.cycles, into.cycles);
     fields.done();
-    const auto given = value.is_object() ? value.find("rest_rotations") : value.end();
-    if (!value.is_object() || given == value.end() || given->is_null())
-        into.rest_rotations.assign(into.nodes.size(), Quat{});
+    const auto given = value.find("rest_rotations");
+    if (!given || given->is_null()) into.rest_rotations.assign(into.nodes.size(), Quat{});
 }
 
-void read_timing(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Timing& into) {
+void read_timing(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
+                 Timing& into) {
     Fields fields(value, place, problems);
     fields.number("period", into.period);
     fields.frame_rate("fps", into.fps);
@@ -156,11 +153,13 @@ void read_timing(const json& value, const Place& place, FieldProblems& problems,
     fields.done();
 }
 
-void read_motion(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, Motion& into) {
+void read_motion(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
+                 Motion& into) {
     Fields fields(value, place, problems);
-    fields.member("wave", [&](const json& wave, const Place& at) { read_wave(wave, at, problems, into.wave); });
-    fields.member("timing",
-                  [&](const json& timing, const Place& at) { read_timing(timing, at, problems, limits, into.timing); });
+    fields.member("wave", [&](const JsonValue wave, const Place& at) { read_wave(wave, at, problems, into.wave); });
+    fields.member("timing", [&](const JsonValue timing, const Place& at) {
+        read_timing(timing, at, problems, limits, into.timing);
+    });
     fields.choice("mode", kModes, into.mode);
     fields.vector("wind", into.wind);
     std::optional<Vec3> up(into.up);
@@ -169,13 +168,14 @@ void read_motion(const json& value, const Place& place, FieldProblems& problems,
     fields.choice("droop", kDroops, into.droop);
     fields.boolean("one_sided", into.one_sided);
     fields.number("lift", into.lift);
-    fields.member("phase",
-                  [&](const json& phase, const Place& at) { read_phasing(phase, at, problems, limits, into.phase); });
+    fields.member("phase", [&](const JsonValue phase, const Place& at) {
+        read_phasing(phase, at, problems, limits, into.phase);
+    });
     fields.done();
 }
 
-void read_mesh(const json& value, const Place& place, FieldProblems& problems, const Limits& limits, MeshDetail& detail,
-               gltf::Look& look) {
+void read_mesh(const JsonValue value, const Place& place, FieldProblems& problems, const Limits& limits,
+               MeshDetail& detail, gltf::Look& look) {
     Fields fields(value, place, problems);
     fields.number("tolerance", detail.tolerance);
     fields.integer("rings", limits.rings, detail.rings);
@@ -194,8 +194,8 @@ void read_fill_settings(Fields& fields, FieldProblems& problems, FillSettings& i
     into.name = name.value_or(into.name);
     fields.number("tufts_per_meter", into.tufts_per_meter);
     fields.member("density",
-                  [&](const json& value, const Place& at) { read_densities(value, at, problems, into.density); });
-    fields.optional_member("jitter", [&](const json& value, const Place& at) {
+                  [&](const JsonValue value, const Place& at) { read_densities(value, at, problems, into.density); });
+    fields.optional_member("jitter", [&](const JsonValue value, const Place& at) {
         Fields jitter(value, at, problems);
         jitter.seed("seed", into.jitter_seed.emplace());
         jitter.done();

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "api/reader.hpp"
 #include "gltf/hair_file.hpp"
 #include "tuftwave/hairstyle.hpp"
@@ -12,18 +10,13 @@ namespace tuftwave::server {
 
 inline constexpr std::size_t kLongestName = 64;  // characters
 
-void read_head(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-               Head& into);
-void read_tuft(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-               Tuft& into);
-void read_chain(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-                Chain& into);
-void read_timing(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-                 Timing& into);
-void read_motion(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-                 Motion& into);
-void read_mesh(const nlohmann::json& json, const Place& place, FieldProblems& problems, const Limits& limits,
-               MeshDetail& detail, gltf::Look& look);
+void read_head(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, Head& into);
+void read_tuft(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, Tuft& into);
+void read_chain(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, Chain& into);
+void read_timing(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, Timing& into);
+void read_motion(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, Motion& into);
+void read_mesh(JsonValue json, const Place& place, FieldProblems& problems, const Limits& limits, MeshDetail& detail,
+               gltf::Look& look);
 void read_formulas(Fields& fields, Formulas& into);
 
 /// The settings among the fields of a fill; what it lies between is left to the caller. @param into  with its defaults

@@ -3,14 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "api/json_value.hpp"
 #include "api/place.hpp"
 #include "api/problem.hpp"
 #include "tuftwave/limits.hpp"
@@ -29,7 +28,7 @@ using Choices = std::array<std::pair<std::string_view, Enum>, count>;
 /// to find fields that nobody asked for. Client JSON is only looked at, never copied or printed.
 class Fields {
   public:
-    Fields(const nlohmann::json& value, const Place& place, FieldProblems& problems);
+    Fields(JsonValue value, const Place& place, FieldProblems& problems);
 
     void number(std::string_view name, double& into);
     void number(std::string_view name, std::optional<double>& into);  // null empties it
@@ -54,70 +53,96 @@ class Fields {
 
     template <class Enum, std::size_t count>
     void choice(std::string_view name, const Choices<Enum, count>& choices, Enum& into) {
-        const nlohmann::json* value = find(name);
-        if (value == nullptr) return;
-        if (const auto* text = value->get_ptr<const std::string*>()) {
-            for (const auto& [word, meaning] : choices) {
-                if (word == *text) {
-                    into = meaning;
-                    return;
-                }
-            }
-        }
-        std::string words;
-        for (const auto& [word, meaning] : choices) words += (words.empty() ? "" : ", ") + std::string(word);
-        refuse_choice(name, *value, words);
+        if (const auto value = find(name)) read(name, *value, choices, into);
     }
     template <class Enum, std::size_t count>
     void choice(std::string_view name, const Choices<Enum, count>& choices, std::optional<Enum>& into) {
-        if (is_null(name)) return into.reset();
-        if (find(name) == nullptr) return;
-        Enum chosen{};
-        choice(name, choices, chosen);
-        into = chosen;
+        if (const auto value = find_or_empty(name, into)) read(name, *value, choices, into.emplace());
     }
 
     /// Calls read(value, place) with a member that is there; null is for read to refuse.
     template <class Read>
     void member(std::string_view name, Read read) {
-        if (const nlohmann::json* value = find(name)) read(*value, Place(place_, name));
+        if (const auto value = find(name)) read(*value, Place(place_, name));
     }
 
     /// The same, but null is as good as absent.
     template <class Read>
     void optional_member(std::string_view name, Read read) {
-        if (!is_null(name)) member(name, read);
+        if (const auto value = find(name); value && !value->is_null()) read(*value, Place(place_, name));
     }
 
     /// Calls read(item, place) for each item of an array that has at most `most`; a longer one is refused unread.
     template <class Read>
     void items(std::string_view name, std::size_t most, Read read) {
-        const nlohmann::json* value = find(name);
-        if (value == nullptr) return;
-        if (!value->is_array()) return refuse_type(name, *value, "an array");
-        const Place list(place_, name);
-        if (const Check wrong = check_count(value->size(), 0, most, ""))
-            return problems_.add(to_field_problem(*wrong, list.pointer()));
-        for (std::size_t i = 0; i < value->size(); ++i) read((*value)[i], Place(list, i));
+        if (const auto value = find_array(name, most)) read_items(*value, Place(place_, name), read);
+    }
+
+    /// The same, and each item is read into an element of its own: read(item, place, element).
+    template <class Element, class Read>
+    void elements(std::string_view name, std::size_t most, std::vector<Element>& into, Read read) {
+        items_into(name, most, 1, into,
+                   [&](const JsonValue item, const Place& place) { read(item, place, into.emplace_back()); });
     }
 
     void require(std::string_view name);
     void done();
 
   private:
-    const nlohmann::json* find(std::string_view name);
-    bool is_null(std::string_view name);
-    std::optional<double> whole_number(std::string_view name, Range range);
-    bool has_triples(std::string_view name);
-    void refuse_type(std::string_view name, const nlohmann::json& value, const std::string& wanted);
-    void refuse_choice(std::string_view name, const nlohmann::json& value, const std::string& words);
-    template <std::size_t width>
-    bool numbers(const nlohmann::json& value, const Place& place, const char* wanted, std::array<double, width>& into);
+    std::optional<JsonValue> find(std::string_view name);
+    std::optional<JsonValue> find_array(std::string_view name, std::size_t most);
 
-    const nlohmann::json& value_;
+    /// A member that is there; null is as good as absent, and empties `into`.
+    template <class Value>
+    std::optional<JsonValue> find_or_empty(std::string_view name, std::optional<Value>& into) {
+        const auto value = find(name);
+        if (!value || !value->is_null()) return value;
+        into.reset();
+        return {};
+    }
+
+    void read(std::string_view name, JsonValue value, double& into);
+    void read(std::string_view name, JsonValue value, bool& into);
+    void read(std::string_view name, JsonValue value, std::size_t longest, std::string& into);
+    void read(std::string_view name, JsonValue value, Vec3& into);
+    template <class Enum, std::size_t count>
+    void read(std::string_view name, JsonValue value, const Choices<Enum, count>& choices, Enum& into) {
+        const auto text = value.text();
+        for (const auto& [word, meaning] : choices) {
+            if (text != word) continue;
+            into = meaning;
+            return;
+        }
+        std::string words;
+        for (const auto& [word, meaning] : choices) words += (words.empty() ? "" : ", ") + std::string(word);
+        refuse_choice(name, value, words);
+    }
+    std::optional<double> whole_number(std::string_view name, JsonValue value, Range range);
+    bool has_triples(std::string_view name);
+    void refuse_type(std::string_view name, JsonValue value, const std::string& wanted);
+    void refuse_choice(std::string_view name, JsonValue value, const std::string& words);
+    void refuse_numbers(JsonValue value, const Place& place, std::size_t width, const char* wanted);
+
+    /// Like items(), with room for an element of every `width` items.
+    template <class Element, class Read>
+    void items_into(std::string_view name, std::size_t most, std::size_t width, std::vector<Element>& into, Read read) {
+        const auto value = find_array(name, most);
+        if (!value) return;
+        into.reserve(into.size() + value->size() / width);
+        read_items(*value, Place(place_, name), read);
+    }
+
+    template <class Read>
+    static void read_items(const JsonValue list, const Place& place, Read read) {
+        std::size_t i = 0;
+        for (const JsonValue item : list.items()) read(item, Place(place, i++));
+    }
+
+    const JsonValue value_;
     const Place& place_;
     FieldProblems& problems_;
-    std::set<std::string_view> known_;
+    std::uint64_t marks_ = 0;              // of the names that are there
+    std::vector<std::string_view> known_;  // some twice
 };
 
 }  // namespace tuftwave::server

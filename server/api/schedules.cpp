@@ -24,12 +24,12 @@ struct ScheduleRequest {
     int repeat = 1;
 };
 
-std::variant<ScheduleRequest, Problem> read_request(const nlohmann::json& body, const Limits& limits) {
+std::variant<ScheduleRequest, Problem> read_request(const JsonValue body, const Limits& limits) {
     ScheduleRequest read;
     FieldProblems problems;
     const Place root;
     Fields fields(body, root, problems);
-    fields.member("timing", [&](const nlohmann::json& timing, const Place& place) {
+    fields.member("timing", [&](const JsonValue timing, const Place& place) {
         read_timing(timing, place, problems, limits, read.timing);
     });
     read_formulas(fields, read.formulas);
@@ -47,7 +47,7 @@ constexpr std::array<QueryField, 7> kQueryFields{{{"period", "/timing/period"},
                                                   {"formulas", "/formulas"},
                                                   {"repeat", "/repeat"}}};
 
-Answer answer(const nlohmann::json& body, Format format, const Limits& limits) {
+Answer answer(const JsonValue body, Format format, const Limits& limits) {
     auto read = read_request(body, limits);
     if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
     const auto& wanted = std::get<ScheduleRequest>(read);
@@ -76,14 +76,15 @@ Answer post_schedules(const Request& request, const Context& context) {
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
-    return answer(std::get<nlohmann::json>(body), std::get<Format>(format), context.limits);
+    return answer(std::get<JsonDocument>(body).root(), std::get<Format>(format), context.limits);
 }
 
 Answer get_schedules(const Request& request, const Context& context) {
     if (auto problem = check_query(request, names_of(kQueryFields))) return *std::move(problem);
     auto format = choose_format(request, {Format::kJson, Format::kXdts, Format::kCsv});
     if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
-    Answer made = answer(query_body(request, kQueryFields), std::get<Format>(format), context.limits);
+    const JsonDocument body = query_body(request, kQueryFields);
+    Answer made = answer(body.root(), std::get<Format>(format), context.limits);
     if (auto* problem = std::get_if<Problem>(&made))
         return as_query_problem(std::move(*problem), kQueryFields, request);
     auto& response = std::get<Response>(made);

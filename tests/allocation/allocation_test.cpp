@@ -159,7 +159,7 @@ TEST(ParserAllocation, WhereverMemoryEndsWhatWasReadIsLetGo) {
     std::size_t count = 0, let_go = 0;
     {
         const Armed counting;
-        const auto parsed = parse_guarded(body, JsonLimits{});
+        const auto parsed = parse_guarded_in_order(body, JsonLimits{});
         count = counting.count();
     }
     ASSERT_GT(count, 100U);
@@ -171,7 +171,7 @@ TEST(ParserAllocation, WhereverMemoryEndsWhatWasReadIsLetGo) {
         memory::hold_reserve();
         try {
             const Armed armed(plan);
-            const auto parsed = parse_guarded(body, JsonLimits{});
+            const auto parsed = parse_guarded_in_order(body, JsonLimits{});
         } catch (const std::bad_alloc&) {
             has_failed = true;
         }

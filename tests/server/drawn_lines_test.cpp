@@ -11,21 +11,20 @@ namespace {
 
 /// What is wrong with a body's lines, as slug and pointer; "" where nothing is.
 std::string fault(const char* text) {
-    const nlohmann::json body = nlohmann::json::parse(text);
+    const JsonDocument body = parsed(text);
     FieldProblems problems;
     Drawing drawing;
-    read_fitted_lines(body, Place(), problems, {}, drawing);
+    read_fitted_lines(body.root(), Place(), problems, {}, drawing);
     if (problems.empty()) return "";
     const FieldProblem first = problems.take().front();
     return std::string(slug(first.code)) + " " + first.pointer;
 }
 
 TEST(DrawnLines, HaveTwoOrThreeNumbersPerNode) {
-    const nlohmann::json body =
-        nlohmann::json::parse(R"({"name": "a", "pictures": [[[1, 2], [3, 4, 5]]], "rest": []})");
+    const JsonDocument body = parsed(R"({"name": "a", "pictures": [[[1, 2], [3, 4, 5]]], "rest": []})");
     FieldProblems problems;
     Drawing drawing;
-    read_fitted_lines(body, Place(), problems, {}, drawing);
+    read_fitted_lines(body.root(), Place(), problems, {}, drawing);
     EXPECT_TRUE(problems.empty());
     EXPECT_EQ(drawing.name, "a");
     EXPECT_EQ(drawing.pictures, (std::vector<Line>{{{1, 2, 0}, {3, 4, 5}}}));

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support.hpp"
+
 namespace tuftwave::server {
 namespace {
 
@@ -28,6 +30,24 @@ TEST(JsonGuard, RefusesWhatIsNotJson) {
                                    "'a'", "\"\xff\"", "[1e999]", "\"\\"}) {
         EXPECT_EQ(outcome(body), "malformed") << body;
     }
+}
+
+TEST(JsonGuard, ReadsWhatOnlyTheExactParserDoes) {
+    for (const char* const body : {"18446744073709551616", "[-9223372036854775809,1e2]", "\xef\xbb\xbf{\"a\":[1]}",
+                                   R"({"a":"\u9aea\ud83d\ude00\"","b":[1e-320]})", "1e-400", "[0.1,-0.0]"}) {
+        const auto read = parse_guarded(body, {});
+        ASSERT_TRUE(std::holds_alternative<JsonDocument>(read)) << body;
+        EXPECT_EQ(as_plain(std::get<JsonDocument>(read).root()), nlohmann::json::parse(body)) << body;
+    }
+}
+
+TEST(JsonGuard, SaysWhatComesFirstInTheBody) {
+    const auto detail = [](const char* body) { return std::get<Problem>(parse_guarded(body, {})).detail; };
+    EXPECT_EQ(detail(R"({"a":1,"a":[1,]})"), "The key \"a\" occurs twice in one object at byte 9.");
+    EXPECT_EQ(detail(R"({"a":[1,],"a":1})"),
+              "The key \"a\" occurs twice in one object at byte 12.");  // before the grammar
+    EXPECT_EQ(detail(R"({"a":[1,]})"), "The JSON is not valid at byte 9.");
+    EXPECT_EQ(detail("[1e999]"), "A number is too large to be represented.");
 }
 
 TEST(JsonGuard, SurvivesTextAfterTheEnd) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "support.hpp"
+
 namespace tuftwave::server {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr std::array<QueryField, 4> kFields{{{"period", "/timing/period"},
 nlohmann::json body_of(const NameValues& query) {
     Request request;
     request.query = query;
-    return query_body(request, kFields);
+    return as_plain(query_body(request, kFields).root());
 }
 
 TEST(QueryBody, ReadsEachValueAsWhatItLooksLike) {

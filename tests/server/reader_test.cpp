@@ -2,16 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "support.hpp"
+
 namespace tuftwave::server {
 namespace {
 
 /// Reads one field named "x" of a body and says what came of it: "" when nothing was wrong, else slug and pointer.
 template <class Read>
 std::string outcome(const std::string& body, Read read) {
-    const nlohmann::json json = nlohmann::json::parse(body);
+    const JsonDocument document = parsed(body);
     FieldProblems problems;
     const Place root;
-    Fields fields(json, root, problems);
+    Fields fields(document.root(), root, problems);
     read(fields);
     fields.done();
     if (problems.empty()) return "";
@@ -146,6 +150,38 @@ TEST(Reader, FindsFieldsThatNobodyAskedFor) {
     double number = 0;
     EXPECT_EQ(outcome(R"({"x":1,"amplitud":2})", [&](Fields& f) { f.number("x", number); }), "unknown_field /amplitud");
     EXPECT_EQ(outcome(R"({"a/b~c":2})", [](Fields&) {}), "unknown_field /a~1b~0c");
+}
+
+TEST(Reader, NamesUnknownFieldsAndKnownOnesByTheAlphabet) {
+    const JsonDocument document = parsed(R"({"z":1,"x":1,"b":1,"":1})");
+    FieldProblems problems;
+    const Place root;
+    Fields fields(document.root(), root, problems);
+    double number = 0;
+    std::optional<double> other;
+    fields.require("x");
+    fields.number("x", number);
+    fields.number("a", other);
+    fields.done();
+    const std::vector<FieldProblem> found = problems.take();
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[0].pointer, "/");
+    EXPECT_EQ(found[1].pointer, "/b");
+    EXPECT_EQ(found[2].pointer, "/z");
+    for (const FieldProblem& each : found) EXPECT_EQ(each.allowed, "a, x");
+}
+
+TEST(Reader, FindsEachOfManyFields) {
+    nlohmann::json body;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < 64; ++i) body[names.emplace_back(i, 'k')] = i;
+    std::vector<double> read(64, -1);
+    EXPECT_EQ(outcome(body.dump(),
+                      [&](Fields& f) {
+                          for (std::size_t i = 0; i < 64; ++i) f.number(names[i], read[i]);
+                      }),
+              "");
+    for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(read[i], static_cast<double>(i));
 }
 
 TEST(Reader, SaysWhichChoicesThereAre) {

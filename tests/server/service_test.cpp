@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <future>
 #include <latch>
 #include <memory>
@@ -144,10 +145,10 @@ TEST_F(ServiceTest, WhoeverGetsNoWorkerInTimeIsToldToComeBack) {
 TEST_F(ServiceTest, WorkThatRunsTooLongIsStopped) {
     config.deadline_seconds = 0.02;
     Service hurried(config, access, pool, log);
-    nlohmann::json many = small_hairstyle();
-    many["mesh"] = {{"sides", 64}, {"rings", 20}};
-    for (int i = 0; i < 1'400; ++i) many["tufts"].push_back(many["tufts"][0]);
-    const Request request = json_post("/v1/hairstyles", many.dump());
+    std::ifstream example(TUFTWAVE_SOURCE_DIR "/api/examples/fits.json");
+    nlohmann::json many = nlohmann::json::parse(example);
+    for (int i = 0; i < 400; ++i) many["drawn"].push_back(many["drawn"][0]);  // a second
+    const Request request = json_post("/v1/fits", many.dump());
     int status = 503;  // what it is if the worker itself wakes up too late
     for (int i = 0; i < 50 && status == 503; ++i) status = ask(hurried, request).status;
     EXPECT_EQ(status, 504);

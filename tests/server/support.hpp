@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "api/json_value.hpp"
 #include "api/operation.hpp"
 #include "api/problem.hpp"
 #include "api/routes.hpp"
@@ -21,6 +22,26 @@ inline nlohmann::json small_hairstyle() {
 
 inline Request json_post(const std::string& path, const std::string& body, const std::string& accept = "") {
     return {"POST", path, {}, {{"content-type", "application/json"}, {"accept", accept}}, body};
+}
+
+/// What can be looked at of a text that is JSON.
+inline JsonDocument parsed(const std::string& text) { return JsonDocument::parse(text).value(); }
+
+/// The same value as one of the other library.
+inline nlohmann::json as_plain(const JsonValue value) {
+    nlohmann::json plain;
+    if (value.is_array()) {
+        plain = nlohmann::json::array();
+        for (const JsonValue item : value.items()) plain.push_back(as_plain(item));
+    }
+    if (value.is_object()) {
+        plain = nlohmann::json::object();
+        for (const auto& [key, member] : value.members()) plain[std::string(key)] = as_plain(member);
+    }
+    if (const auto number = value.number()) plain = *number;
+    if (const auto flag = value.boolean()) plain = *flag;
+    if (const auto text = value.text()) plain = *text;
+    return plain;
 }
 
 /// Runs a request's operation on the calling thread, without a service.
