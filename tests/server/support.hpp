@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "api/json_value.hpp"
+#include "api/json_guard.hpp"
 #include "api/operation.hpp"
 #include "api/problem.hpp"
 #include "api/routes.hpp"
@@ -25,7 +25,7 @@ inline Request json_post(const std::string& path, const std::string& body, const
 }
 
 /// What can be looked at of a text that is JSON.
-inline JsonDocument parsed(const std::string& text) { return JsonDocument::parse(text).value(); }
+inline JsonDocument parsed(const std::string& text) { return std::get<JsonDocument>(parse_guarded(text, {})); }
 
 /// The same value as one of the other library.
 inline nlohmann::json as_plain(const JsonValue value) {
