@@ -46,20 +46,35 @@ TUFTWAVE_BODY Vec3 chosen(bool first, const Vec3& a, const Vec3& b) {
 /// it is 0.98 or more.
 inline constexpr double kLeastForwards = 0.5;
 
-/// The normal carried from `from` to another place without spin, not yet of unit length.
+/// A step from one frame's place to another's, as the two reflections that carry a normal along without spin.
 /// Source: double reflection (Wang et al. 2008).
+struct Step {
+    Vec3 first, second;                // what is reflected in
+    double twice_first, twice_second;  // 2 / its square; 0 reflects nothing
+    bool is_forwards;                  // false where the step tells nothing
+
+    TUFTWAVE_BODY Step(const Vec3& from, const Vec3& from_tangent, const Vec3& to, const Vec3& tangent) {
+        first = to - from;
+        const double square = dot(first, first);
+        // A step that does not run along the tangent is rounding, or a cusp; reflecting in it would flip the normal.
+        is_forwards = dot(first, from_tangent) > kLeastForwards * std::sqrt(square);
+        twice_first = 2 / square;
+        second = tangent - (from_tangent - (twice_first * dot(first, from_tangent)) * first);
+        const double second_square = dot(second, second);
+        const double twice = 2 / second_square;
+        twice_second = second_square > 0 ? twice : 0.0;
+    }
+};
+
+/// @param twice  2 / the square of `in`; 0 reflects nothing
+TUFTWAVE_BODY Vec3 reflected(const Vec3& v, const Vec3& in, double twice) { return v - (twice * dot(in, v)) * in; }
+
+/// The normal carried from `from` to another place without spin, not yet of unit length.
 TUFTWAVE_BODY Vec3 carried_normal(const CurveFrame& from, const Vec3& to, const Vec3& tangent) {
-    const Vec3 v1 = to - from.point;
-    const double c1 = dot(v1, v1);
-    // A step that does not run along the tangent is rounding, or a cusp; reflecting in it would flip the normal.
-    const bool forwards = dot(v1, from.tangent) > kLeastForwards * std::sqrt(c1);
-    const Vec3 reflected_normal = from.normal - (2 / c1 * dot(v1, from.normal)) * v1;
-    const Vec3 reflected_tangent = from.tangent - (2 / c1 * dot(v1, from.tangent)) * v1;
-    const Vec3 v2 = tangent - reflected_tangent;
-    const double c2 = dot(v2, v2);
-    const double twice = 2 / c2 * dot(v2, reflected_normal);
-    const Vec3 normal = reflected_normal - (c2 > 0 ? twice : 0.0) * v2;
-    return rejected(chosen(forwards, normal, from.normal), tangent);  // rounding leaves a trace of tangent
+    const Step step(from.point, from.tangent, to, tangent);
+    const Vec3 once = reflected(from.normal, step.first, step.twice_first);
+    const Vec3 normal = reflected(once, step.second, step.twice_second);
+    return rejected(chosen(step.is_forwards, normal, from.normal), tangent);  // rounding leaves a trace of tangent
 }
 
 /// Shorter than this, a carried normal has lost its direction.

@@ -11,7 +11,7 @@ namespace tuftwave {
 /// Sine and cosine of each corner of a ring, counter-clockwise about the tangent.
 class Corners {
   public:
-    explicit Corners(int sides) : count_(static_cast<std::size_t>(sides)) {
+    explicit Corners(int sides = 3) : count_(static_cast<std::size_t>(sides)) {
         for (std::size_t j = 0; j < count_; ++j) {
             const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j) / sides);
             sines_[j] = sine;
@@ -33,5 +33,8 @@ class Corners {
     std::size_t count_;
     alignas(64) std::array<double, kMostSides> sines_, cosines_;
 };
+
+/// Those of rings of so many corners, made once. @param sides  3 to kMostSides
+const Corners& corners_of(int sides);
 
 }  // namespace tuftwave

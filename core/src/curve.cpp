@@ -21,6 +21,7 @@ constexpr double kMergeShare = 1e-9;
 /// Between two samples the tangent turns less than this, radians (about 11 degrees), unless the halving bottoms out.
 constexpr double kSampleTurn = 0.2;
 constexpr std::size_t kFirstSamples = 4;  // per Bezier segment
+constexpr std::size_t kUsualSamples = 6;  // likewise, where some had to be halved
 constexpr int kDeepestHalving = 8;        // 4 x 256 samples per segment at most
 
 /// A tangent shorter than this share of a usual one counts as vanished.
@@ -50,11 +51,37 @@ Vec3 centripetal_tangent(const Vec3& a, const Vec3& b, const Vec3& c, double d1,
     return kHairpinTangent * usual * any_perpendicular(normalized(b - a));
 }
 
-/// The unit normal carried from `from` to the point and tangent of another place without spin.
-Vec3 unit_normal(const CurveFrame& from, const Vec3& point, const Vec3& tangent) {
-    const Vec3 normal = bezier::carried_normal(from, point, tangent);
-    const double size = length(normal);
-    return size > bezier::kLeastNormal ? normal / size : any_perpendicular(tangent);
+/// Steps from sample to sample, each as two reflections, which do not depend on the normal that they carry.
+struct Reflections {
+    static constexpr std::size_t kMost = 64;
+    VectorRows<kMost> first, second;                    // what is reflected in
+    alignas(64) std::array<double, kMost> twice_first;  // 2 / its square; 0 reflects nothing
+    alignas(64) std::array<double, kMost> twice_second;
+    alignas(64) std::array<double, kMost> forwards;  // 0 where the step tells nothing
+    VectorRows<kMost> normals;
+};
+
+template <class Sample>
+TUFTWAVE_BODY void find_reflections(const Sample* samples, std::size_t count, Reflections& to) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const CurveFrame &from = samples[k].frame, &next = samples[k + 1].frame;
+        const bezier::Step step(from.point, from.tangent, next.point, next.tangent);
+        to.first.set(k, step.first);
+        to.second.set(k, step.second);
+        to.twice_first[k] = step.twice_first;
+        to.twice_second[k] = step.twice_second;
+        to.forwards[k] = step.is_forwards ? 1.0 : 0.0;
+    }
+}
+
+template <class Sample>
+TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Reflections& from) {
+    for (std::size_t k = 0; k < count; ++k) {
+        CurveFrame& frame = samples[k + 1].frame;
+        const Vec3 upright = rejected(from.normals[k], frame.tangent);  // rounding leaves a trace of tangent
+        const double size = length(upright);
+        frame.normal = upright / size;
+    }
 }
 
 /// What the samples of one segment are made of, before anything is known to turn too quickly: tangents at their ends
@@ -97,7 +124,9 @@ double Curve::Segment::parameter(double t0, double t1, double wanted, double who
 
 Curve::Curve(std::span<const Vec3> points, Vectors vectors) : vectors_(vectors) {
     make_segments(merged(points));
+    samples_.reserve(segments_.size() * kUsualSamples);
     for (std::size_t i = 0; i < segments_.size(); ++i) measure(i);
+    carry_normals();
 }
 
 void Curve::make_segments(std::span<const Vec3> p) {
@@ -157,8 +186,31 @@ void Curve::sample_up_to(std::size_t segment, double t, int halvings) {
 void Curve::add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent) {
     const Sample& from = samples_.back();
     const Vec3 point = segments_[segment].point(t);
-    samples_.push_back(
-        {segment, t, from.along + arc, from.turning + turn, {point, tangent, unit_normal(from.frame, point, tangent)}});
+    samples_.push_back({segment, t, from.along + arc, from.turning + turn, {point, tangent, {}}});
+}
+
+void Curve::carry_normals() {
+    Reflections steps;
+    Vec3 normal = samples_.front().frame.normal;
+    for (std::size_t start = 0; start + 1 < samples_.size(); start += Reflections::kMost) {
+        Sample* const samples = &samples_[start];
+        const std::size_t count = std::min(Reflections::kMost, samples_.size() - 1 - start);
+        run_with<find_reflections<Sample>>(vectors_, samples, count, steps);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (steps.forwards[k] != 0) {
+                normal = bezier::reflected(normal, steps.first[k], steps.twice_first[k]);
+                normal = bezier::reflected(normal, steps.second[k], steps.twice_second[k]);
+            } else {
+                const Vec3& tangent = samples[k + 1].frame.tangent;
+                const Vec3 upright = rejected(normal, tangent);
+                const double size = length(upright);
+                normal = size > bezier::kLeastNormal ? upright / size : any_perpendicular(tangent);
+            }
+            steps.normals.set(k, normal);
+        }
+        run_with<set_normals<Sample>>(vectors_, samples, count, steps);
+        normal = samples[count].frame.normal;
+    }
 }
 
 Vec3 Curve::tangent_at(std::size_t segment, double t, const Vec3& otherwise) const {

@@ -2,6 +2,7 @@
 #include "place_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "bezier.hpp"
 
@@ -10,6 +11,8 @@ namespace {
 
 /// A step of the third order from further away than this share of the piece leaves more than 1e-14 of it.
 constexpr double kFurthest = 2e-5;
+
+constexpr std::size_t kVector = 4;  // doubles
 
 TUFTWAVE_BODY bezier::Hodograph hodograph(const PlaceSearch& s, std::size_t k) {
     return {s.b1[k] - s.b0[k], s.b2[k] - s.b1[k], s.b3[k] - s.b2[k]};
@@ -31,8 +34,8 @@ TUFTWAVE_BODY void guess(PlaceSearch& s, std::size_t count) {
 }
 
 /// One of Chebyshev's steps.
-TUFTWAVE_BODY void approach(PlaceSearch& s, std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
+TUFTWAVE_BODY void approach(PlaceSearch& s, std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) {
         const bezier::Hodograph curve = hodograph(s, k);
         const double t = s.t[k], step = s.t1[k] - s.t0[k];
         const Vec3 velocity = curve.derivative(t);
@@ -64,17 +67,19 @@ TUFTWAVE_BODY void frames(PlaceSearch& s, std::size_t count) {
     }
 }
 
-bool any_missed(const PlaceSearch& s, std::size_t count) {
-    return std::find(s.missed.begin(), s.missed.begin() + static_cast<std::ptrdiff_t>(count), 1.0) !=
-           s.missed.begin() + static_cast<std::ptrdiff_t>(count);
-}
-
 }  // namespace
 
 void PlaceSearch::find_parameters(std::size_t count, Vectors vectors) {
     run_with<guess>(vectors, *this, count);
-    run_with<approach>(vectors, *this, count);
-    if (any_missed(*this, count)) run_with<approach>(vectors, *this, count);
+    run_with<approach>(vectors, *this, std::size_t{0}, count);
+    const auto begin = missed.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+    const auto first = std::find(begin, end, 1.0);
+    if (first == end) return;
+    // From there to the last one that missed, in whole vectors where it can be.
+    const auto last = std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(first), 1.0).base();
+    const auto from = static_cast<std::size_t>(first - begin) / kVector * kVector;
+    const auto to = (static_cast<std::size_t>(last - begin) + kVector - 1) / kVector * kVector;
+    run_with<approach>(vectors, *this, from, std::min(to, count));
 }
 
 void PlaceSearch::find_frames(std::size_t count, Vectors vectors) { run_with<frames>(vectors, *this, count); }

@@ -24,20 +24,17 @@ TUFTWAVE_BODY void stand_around(RingCorners& to, const Ring& ring, const Corners
     const Vec3 middle = ring.frame.point, normal = ring.frame.normal, binormal = ring.frame.binormal();
     for (std::size_t j = 0; j < sides; ++j) {
         const double up = ring.half_thickness * corners.cosines()[j], across = ring.half_width * corners.sines()[j];
-        to.x[j + 1] = up * normal.x + across * binormal.x;
-        to.y[j + 1] = up * normal.y + across * binormal.y;
-        to.z[j + 1] = up * normal.z + across * binormal.z;
+        const Vec3 offset = up * normal + across * binormal;
+        to.x[j + 1] = middle.x + offset.x;
+        to.y[j + 1] = middle.y + offset.y;
+        to.z[j + 1] = middle.z + offset.z;
     }
     for (std::size_t j = 0; j < reach.size(); ++j) {
-        const auto kept = static_cast<double>(reach[j]);
-        to.x[j + 1] *= kept;
-        to.y[j + 1] *= kept;
-        to.z[j + 1] *= kept;
-    }
-    for (std::size_t j = 1; j <= sides; ++j) {
-        to.x[j] = middle.x + to.x[j];
-        to.y[j] = middle.y + to.y[j];
-        to.z[j] = middle.z + to.z[j];
+        if (reach[j] == 1) continue;
+        const Vec3 corner = middle + static_cast<double>(reach[j]) * corners.offset(ring, j);
+        to.x[j + 1] = corner.x;
+        to.y[j + 1] = corner.y;
+        to.z[j + 1] = corner.z;
     }
     for (auto* row : {&to.x, &to.y, &to.z}) {
         (*row)[0] = (*row)[sides];

@@ -15,7 +15,7 @@ namespace {
 class TuftMesher {
   public:
     TuftMesher(const MeshPlan& plan, const MeshSpans& out, Vectors vectors)
-        : plan_(plan), out_(out), vectors_(vectors), corners_(plan.sides) {
+        : plan_(plan), out_(out), vectors_(vectors), corners_(corners_of(plan.sides)) {
         for (std::size_t j = 0; j <= corners_.count(); ++j)
             across_[j] = static_cast<float>(static_cast<double>(j) / static_cast<double>(corners_.count()));
     }
@@ -115,7 +115,7 @@ class TuftMesher {
     const MeshPlan& plan_;
     const MeshSpans& out_;
     const Vectors vectors_;
-    const Corners corners_;
+    const Corners& corners_;
     std::array<float, kMostSides + 1> across_;  // u of each column
     std::size_t next_ = 0;                      // vertex
 };

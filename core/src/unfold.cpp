@@ -33,10 +33,16 @@ struct Pair {
     }
 };
 
+/// A ring, and what lies between it and the one before.
+struct Fold {
+    std::size_t ring;
+    Pair pair;
+};
+
 /// What is known of all pairs of neighbouring rings before any corner is looked at.
 struct Spacing {
-    std::vector<double> distances;   // of the centres, metres
-    std::vector<std::size_t> folds;  // pairs where a corner may fall back; quicker than looking at each
+    std::vector<double> distances;  // of the centres, metres
+    std::vector<Fold> folds;        // where a corner may fall back; quicker than looking at each
 };
 
 TUFTWAVE_BODY double most_lost(const Ring& ring, const Vec3& forwards) {
@@ -58,7 +64,7 @@ Spacing spacing_of(std::span<const Ring> rings, Vectors vectors) {
     std::vector<double> folds(spacing.distances.size());
     run_with<look_at_pairs>(vectors, rings, spacing.distances, folds);
     for (std::size_t i = 0; i < folds.size(); ++i) {
-        if (folds[i] != 0) spacing.folds.push_back(i);
+        if (folds[i] != 0) spacing.folds.push_back({i + 1, Pair(rings[i], rings[i + 1])});
     }
     return spacing;
 }
@@ -74,7 +80,7 @@ class Column {
         corner_ = corner;
         std::fill(cut_.begin() + at(first), cut_.begin() + at(end), 0.0);
         first = end = 0;
-        for (const std::size_t pair : spacing_.folds) cut_pair(pair + 1);
+        for (const auto& [ring, pair] : spacing_.folds) cut_pair(ring, pair);
         if (end == 0) return;
         bridge();
         for (std::size_t i = first + 1; i < rings_.size() && (i < end || cut_[i - 1] > 0); ++i) fade(i - 1, i);
@@ -93,16 +99,14 @@ class Column {
     Vec3 offset(std::size_t ring) const { return corners_.offset(rings_[ring], corner_); }
     double reach(std::size_t ring) const { return length(offset(ring)); }
 
-    void cut_pair(std::size_t i) {
-        const Pair pair(rings_[i - 1], rings_[i]);
+    void cut_pair(std::size_t i, const Pair& pair) {
         if (!(pair.advance > 0)) return cut_whole(i);
         const Vec3 before = offset(i - 1), here = offset(i);
         const double lost = std::max(0.0, dot(before, pair.forwards)) + std::max(0.0, -dot(here, pair.forwards));
         const double allowed = (1 - kLeastAdvance) * pair.advance;
         if (lost <= allowed) return;
-        for (const std::size_t ring : {i - 1, i}) {
-            cut_[ring] = std::max(cut_[ring], (1 - allowed / lost) * reach(ring));
-        }
+        cut_[i - 1] = std::max(cut_[i - 1], (1 - allowed / lost) * length(before));
+        cut_[i] = std::max(cut_[i], (1 - allowed / lost) * length(here));
         include(i - 1, i + 1);
     }
 
@@ -120,16 +124,18 @@ class Column {
     /// fin: it stays cut as far as the lesser of the deepest cuts before and after.
     void bridge() {
         std::copy(cut_.begin() + at(first), cut_.begin() + at(end), bridged_.begin() + at(first));
-        for (std::size_t i = first; i < end; ++i)
-            bridged_[i] = std::max(cut_[i], std::min(deepest_cut(i, Towards::kRoot), deepest_cut(i, Towards::kTip)));
+        for (std::size_t i = first; i < end; ++i) {
+            const double span = reach(i);
+            const double before = deepest_cut(i, span, Towards::kRoot), after = deepest_cut(i, span, Towards::kTip);
+            bridged_[i] = std::max(cut_[i], std::min(before, after));
+        }
         std::copy(bridged_.begin() + at(first), bridged_.begin() + at(end), cut_.begin() + at(first));
     }
 
     enum class Towards { kRoot, kTip };
 
-    /// The deepest cut from ring `i` on, as far as the corner there is from the centre line.
-    double deepest_cut(std::size_t i, Towards side) const {
-        const double span = reach(i);
+    /// The deepest cut from ring `i` on. @param span  how far is looked, metres: as the corner there is from the middle
+    double deepest_cut(std::size_t i, double span, Towards side) const {
         const std::size_t rings_there = side == Towards::kTip ? cut_.size() - 1 - i : i;
         double deepest = cut_[i], walked = 0;
         std::size_t at = i;
@@ -164,7 +170,7 @@ class Column {
 std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
     const Spacing spacing = spacing_of(rings, vectors);
     if (spacing.folds.empty()) return {};
-    const Corners corners(sides);
+    const Corners& corners = corners_of(sides);
     std::vector<float> reach(rings.size() * corners.count(), 1.0F);
     Column column(rings, spacing, corners);
     for (std::size_t j = 0; j < corners.count(); ++j) {

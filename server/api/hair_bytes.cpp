@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/tuft_text.hpp"
 #include "api/write_nouns.hpp"
 #include "gltf/json_text.hpp"
 #include "version.hpp"
@@ -20,7 +21,7 @@ std::string hairstyle_text(const HairRequest& hair) {
     char mark = '[';
     for (const Tuft& tuft : hair.hairstyle.tufts) {
         text += mark;
-        text += text_of(tuft_json(tuft));
+        append_tuft(text, tuft);
         mark = ',';
     }
     text += "]}";

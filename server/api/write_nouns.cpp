@@ -166,6 +166,8 @@ Json wave_json(const Wave& wave) {
 
 Json tuft_json(const Tuft& tuft) { return to_json(tuft); }
 
+Json origin_json(const Origin& origin) { return to_json(origin); }
+
 Json fill_report_json(const FillReport& report) {
     const Gap& gap = report.gap;
     Json resampled = Json::array();

@@ -17,6 +17,7 @@ namespace tuftwave::server {
 /// A hairstyle but for its tufts, of which there may be too many to hold all of them so.
 nlohmann::ordered_json settings_json(const Hairstyle& hairstyle, const gltf::Look& look);
 nlohmann::ordered_json tuft_json(const Tuft& tuft);
+nlohmann::ordered_json origin_json(const Origin& origin);
 nlohmann::ordered_json fill_report_json(const FillReport& report);
 nlohmann::ordered_json wave_json(const Wave& wave);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);

@@ -3,11 +3,26 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "tuftwave/wide.hpp"
+
 namespace tuftwave::server::gltf {
 namespace {
 
-/// Numbers that are looked at side by side: whole points, and whole vectors of four.
-constexpr std::size_t kSide = 12;
+/// Numbers that are looked at side by side: whole points, and whole vectors.
+constexpr std::size_t kSide = 24;
+
+using Sides = std::array<float, kSide>;
+
+/// @param at  becomes how many numbers were looked at: all but less than kSide
+TUFTWAVE_BODY void look(std::span<const float> points, Sides& least, Sides& most, std::size_t& at) {
+    for (at = 0; at + kSide <= points.size(); at += kSide) {
+        for (std::size_t k = 0; k < kSide; ++k) {
+            const float value = points[at + k];
+            least[k] = value < least[k] ? value : least[k];
+            most[k] = value > most[k] ? value : most[k];
+        }
+    }
+}
 
 }  // namespace
 
@@ -19,16 +34,10 @@ void Bounds::include(const Bounds& other) {
 }
 
 Bounds bounds_of(std::span<const float> points) {
-    std::array<float, kSide> least, most;
+    Sides least, most;
     for (std::size_t k = 0; k < kSide; ++k) least[k] = most[k] = points[k % 3];
     std::size_t at = 0;
-    for (; at + kSide <= points.size(); at += kSide) {
-        for (std::size_t k = 0; k < kSide; ++k) {
-            const float value = points[at + k];
-            least[k] = value < least[k] ? value : least[k];
-            most[k] = value > most[k] ? value : most[k];
-        }
-    }
+    run_with<look>(widest_vectors(), points, least, most, at);
     for (; at < points.size(); ++at) {
         least[at % 3] = std::min(least[at % 3], points[at]);
         most[at % 3] = std::max(most[at % 3], points[at]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "gltf/model.hpp"
@@ -12,9 +13,8 @@ namespace tuftwave::server::gltf {
 namespace {
 
 constexpr std::size_t kAlignment = 4;
-constexpr std::size_t kGlbHeads = 12 + 8 + 8;         // of the file and of its two chunks
-constexpr std::size_t kStart = 64;                    // bytes that the buffer's place in memory is a multiple of
-constexpr std::size_t kBoundsText = 2 * 3 * 32 + 32;  // of the JSON that set_bounds() adds, at most
+constexpr std::size_t kGlbHeads = 12 + 8 + 8;  // of the file and of its two chunks
+constexpr std::size_t kStart = 64;             // bytes that the buffer's place in memory is a multiple of
 
 std::size_t aligned(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 
@@ -95,10 +95,7 @@ void Document::set_asset_extras(std::string extras) { model_->extras = std::move
 
 void Document::allocate(Container container) {
     const bool is_text = container == Container::kGltf;
-    const auto bounded = std::ranges::count_if(model_->accessors, &Accessor::is_bounded);
-    JsonText json;
-    write_json(*model_, json, is_text ? [](JsonText&) {} : std::function<void(JsonText&)>());
-    const std::size_t text = json.bytes() + kBoundsText * static_cast<std::size_t>(bounded);
+    const std::size_t text = most_json_bytes(*model_);
     // What stands before the buffer ends where the buffer begins, however long it is: it is never moved.
     model_->first = is_text ? 0 : (kGlbHeads + text + kStart - 1) / kStart * kStart;
     const std::size_t end = model_->first + model_->bytes;
@@ -145,7 +142,9 @@ File Document::write_glb() {
     JsonText json(start);
     write_json(*model_, json, {});
     const std::size_t data = model_->bytes, heads = data > 0 ? kGlbHeads : kGlbHeads - 8;
-    const std::size_t text = aligned(json.bytes()), first = model_->first - heads - text;
+    const std::size_t text = aligned(json.bytes());
+    if (heads + text > model_->first) throw std::length_error("more JSON than there is room for");
+    const std::size_t first = model_->first - heads - text;
     char* const at = start + first + kGlbHeads - 8;
     std::memmove(at, start, json.bytes());
     std::fill(at + json.bytes(), at + text, ' ');

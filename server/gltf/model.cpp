@@ -169,6 +169,26 @@ std::size_t width_of(Document::Shape shape) {
     return 0;
 }
 
+std::size_t most_json_bytes(const Model& model) {
+    // Of one item at most, with its keys, its numbers and its comma; of a number in a list; of a character in a text.
+    constexpr std::size_t kFrame = 512, kView = 160, kAccessor = 160, kBounds = 224, kNode = 64, kMaterial = 256;
+    constexpr std::size_t kMesh = 320, kSkin = 128, kAnimation = 128, kChannelAndSampler = 192;
+    constexpr std::size_t kIndex = 12, kCharacter = 6;
+    std::size_t bytes = kFrame + model.generator.size() * kCharacter + model.extras.size();
+    bytes += model.views.size() * kView + model.accessors.size() * kAccessor + model.roots.size() * kIndex;
+    for (const Document::Accessor& accessor : model.accessors) bytes += accessor.is_bounded ? kBounds : 0;
+    for (const Model::Placed& node : model.nodes)
+        bytes += kNode + node.members.size() + node.extras.size() + node.children.size() * kIndex;
+    for (const Model::Material& material : model.materials) bytes += kMaterial + material.name.size() * kCharacter;
+    for (const Model::Mesh& mesh : model.meshes) bytes += kMesh + mesh.name.size() * kCharacter;
+    for (const Model::Skin& skin : model.skins) bytes += kSkin + skin.joints.size() * kIndex;
+    for (const Model::Animation& animation : model.animations) {
+        bytes += kAnimation + animation.name.size() * kCharacter + animation.extras.size();
+        bytes += animation.channels.size() * kChannelAndSampler;
+    }
+    return bytes;
+}
+
 void write_json(const Model& model, JsonText& to, const std::function<void(JsonText&)>& uri) {
     to.open('{');
     write_accessors(model, to);

@@ -66,6 +66,10 @@ struct Document::Model {
 /// Numbers in an element of an accessor.
 std::size_t width_of(Document::Shape shape);
 
+/// Bytes of a model's JSON at most, bounds that are still to come included: a sum over what it is made of, since to
+/// write it only to count takes as long as to write it.
+std::size_t most_json_bytes(const Document::Model& model);
+
 /// Writes a model's JSON with its keys in alphabetical order.
 /// @param uri   called where the content of the buffer's uri would stand; empty leaves the uri out
 void write_json(const Document::Model& model, JsonText& to, const std::function<void(JsonText&)>& uri);

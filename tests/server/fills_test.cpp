@@ -71,8 +71,8 @@ TEST(Fills, ComeAsJsonGlbOrGltf) {
 }
 
 TEST(Fills, AFileHoldsTheTuftsAsARecipe) {
-    const nlohmann::json recipe =
-        glb_json(std::string(answered(small_fill(), "model/gltf-binary").content()))["asset"]["extras"]["tuftwave"]["hairstyle"];
+    const nlohmann::json recipe = glb_json(
+        std::string(answered(small_fill(), "model/gltf-binary").content()))["asset"]["extras"]["tuftwave"]["hairstyle"];
     EXPECT_EQ(recipe["tufts"], answered_json(small_fill())["tufts"]);
     EXPECT_FALSE(recipe.contains("fills"));
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace tuftwave::server::gltf {
 namespace {
 
@@ -40,6 +42,47 @@ TEST(Model, WritesKeysInAlphabeticalOrderAndLeavesOutWhatIsNotSaid) {
         R"("nodes":[{"children":[1],"extras":{},"mesh":0,"name":"n","scale":[2.0,2.0,2.0],"skin":0,)"
         R"("translation":[0.0,1.0,2.0]},{}],"scene":0,"scenes":[{"nodes":[0]}],)"
         R"("skins":[{"inverseBindMatrices":4,"joints":[0,1],"skeleton":0}]})");
+}
+
+/// One of everything, and one more of each in turn, as long as it can be.
+TEST(Model, KnowsHowLongItsTextIsAtMost) {
+    constexpr int kLongest = std::numeric_limits<int>::min();
+    constexpr std::size_t kLargest = std::numeric_limits<std::size_t>::max();
+    constexpr double kDigits = -1.2345678901234567e-308;
+    const std::string name(100, '\x01');
+    Document::Model model;
+    const auto is_within = [&] { return text_of(model).size() <= most_json_bytes(model); };
+    model.generator = name;
+    model.extras = R"({"a":1})";
+    model.bytes = kLargest;
+    EXPECT_TRUE(is_within());
+    for (int i = 0; i < 50; ++i) {
+        model.views.push_back({Document::Purpose::kAttribute, kLargest, kLargest, kLargest});
+        EXPECT_TRUE(is_within()) << "views";
+        model.accessors.push_back({kLongest, kLargest, kLargest, Document::Component::kF32, Document::Shape::kScalar});
+        EXPECT_TRUE(is_within()) << "accessors";
+        model.accessors.back().is_bounded = true;
+        model.bounds.push_back({static_cast<int>(i), {kDigits, kDigits, kDigits}, {kDigits, kDigits, kDigits}});
+        EXPECT_TRUE(is_within()) << "bounds";
+        model.materials.push_back({name, {kDigits, kDigits, kDigits}});
+        EXPECT_TRUE(is_within()) << "materials";
+        model.meshes.push_back({name, {kLongest, kLongest, kLongest, kLongest, kLongest, kLongest, kLongest}});
+        EXPECT_TRUE(is_within()) << "meshes";
+        const Document::Node node{name,
+                                  std::array{kDigits, kDigits, kDigits},
+                                  std::array{kDigits, kDigits, kDigits, kDigits},
+                                  kLongest,
+                                  kLongest,
+                                  kDigits};
+        model.nodes.push_back({node, {kLongest, kLongest}, R"({"b":2})"});
+        EXPECT_TRUE(is_within()) << "nodes";
+        model.roots.push_back(kLongest);
+        EXPECT_TRUE(is_within()) << "roots";
+        model.skins.push_back({{kLongest}, kLongest, kLongest});
+        EXPECT_TRUE(is_within()) << "skins";
+        model.animations.push_back({name, kLongest, Document::Interpolation::kLinear, {{kLongest, kLongest}}, "{}"});
+        EXPECT_TRUE(is_within()) << "animations";
+    }
 }
 
 }  // namespace

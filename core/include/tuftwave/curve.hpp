@@ -76,6 +76,7 @@ class Curve {
     void measure(std::size_t segment);
     void sample_up_to(std::size_t segment, double t, int halvings);
     void add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent);
+    void carry_normals();
     Vec3 tangent_at(std::size_t segment, double t, const Vec3& otherwise) const;
     std::size_t sample_before(double along, std::size_t guess) const;
     void find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const;
