@@ -31,13 +31,6 @@ void write_value(const Json& value, std::string& out) {
     out += is_empty ? "null" : value.is_object() ? "}" : "]";
 }
 
-template <class Number>
-void write_whole(JsonText& to, Number value) {
-    char digits[24];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    to.raw({digits, static_cast<std::size_t>(end - digits)});
-}
-
 }  // namespace
 
 JsonText& JsonText::text(const std::string& value) {
@@ -45,20 +38,24 @@ JsonText& JsonText::text(const std::string& value) {
     return raw("\"").raw(value).raw("\"");
 }
 
+template <class Write>
+JsonText& JsonText::digits(const Write& write) {
+    char counted[kMostDigits];
+    char* const at = out_ == nullptr ? counted : out_ + bytes_;
+    bytes_ += static_cast<std::size_t>(write(at, at + kMostDigits) - at);
+    return *this;
+}
+
 JsonText& JsonText::number(double value) {
-    char digits[64];
-    const char* const end = nlohmann::detail::to_chars(digits, digits + sizeof digits, value);
-    return raw({digits, static_cast<std::size_t>(end - digits)});
+    return digits([&](char* from, char* to) { return nlohmann::detail::to_chars(from, to, value); });
 }
 
 JsonText& JsonText::number(std::size_t value) {
-    write_whole(*this, value);
-    return *this;
+    return digits([&](char* from, char* to) { return std::to_chars(from, to, value).ptr; });
 }
 
 JsonText& JsonText::number(int value) {
-    write_whole(*this, value);
-    return *this;
+    return digits([&](char* from, char* to) { return std::to_chars(from, to, value).ptr; });
 }
 
 std::string extras_text(const Json& extras) {

@@ -46,6 +46,12 @@ class JsonText {
     }
 
   private:
+    static constexpr std::size_t kMostDigits = 32;
+
+    /// Writes a number where it belongs. @param write  as to_chars(), and touches no more than it writes
+    template <class Write>
+    JsonText& digits(const Write& write);
+
     JsonText& put(char c) {
         if (out_ != nullptr) out_[bytes_] = c;
         ++bytes_;
