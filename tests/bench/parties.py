@@ -54,7 +54,7 @@ def parties(build: str, work: str) -> list[Party]:
         Party(("afternoon",), built("afternoon"), (work,), "no glm or tinygltf"),
         Party(("nlohmann",), built("json"), (work,), "not built"),
         Party(("library",), built("meshopt"), (work,), "no meshoptimizer"),
-        Party(("three", "gltf_transform", "three_lean_merged", "three_lean_split", "three_vrm"), shutil.which("node"), (os.path.join(PEERS, "three", "three.mjs"), work), "no Node.js"),
+        Party(("three", "gltf_transform", "three_lean_merged", "three_lean_split", "three_vrm", "three_vrm_warm"), shutil.which("node"), (os.path.join(PEERS, "three", "three.mjs"), work), "no Node.js"),
         Party(("bullet",), built("bullet"), (work,), "no Bullet", is_quick=False),
         Party(("blender",), blender, ("--background", "--factory-startup", "--python-exit-code", "3", "--python", script, "--", work), "no Blender", is_slow=True, is_quick=False, environment=plain),
     ]

@@ -6,7 +6,7 @@ import { Mesh, MeshStandardMaterial, Scene } from "three";
 import { bakeLastCycle } from "../../springs/bake.mjs";
 import { VRM1_DEFAULTS } from "../../springs/workloads.mjs";
 import { threeClip, transformClip } from "./clips.mjs";
-import { measure, printValue } from "./measure.mjs";
+import { measure, measureCold, printValue } from "./measure.mjs";
 import { exportGlb, transformGlb } from "./pack.mjs";
 import { leanMerged, leanSplit, stockMerged } from "./tubes.mjs";
 
@@ -28,13 +28,14 @@ function sceneOf(geometries) {
   return scene;
 }
 
+await measureCold("w3/three_vrm", () => bakeLastCycle(springs, 1, 24, 1));
 await measure("w1/three", () => exportGlb(sceneOf([stockMerged(strokes)])));
 await measure("w1/gltf_transform", () => transformGlb([stockMerged(strokes)]));
 await measure("w1/three_lean_merged", () => exportGlb(sceneOf([leanMerged(strokes)])));
 await measure("w1/three_lean_split", () => exportGlb(sceneOf(leanSplit(strokes))));
 await measure("w2/three", () => threeClip(lines, 12, 2));
 await measure("w2/gltf_transform", () => transformClip(lines, 12, 2));
-await measure("w3/three_vrm", () => bakeLastCycle(springs, 1, 24, 1));
+await measure("w3/three_vrm_warm", () => bakeLastCycle(springs, 1, 24, 1));
 printValue("w1_bytes/three", (await exportGlb(sceneOf([leanMerged(strokes)]))).byteLength, "B");
 printValue("w1_bytes/three_lean_split", (await exportGlb(sceneOf(leanSplit(strokes)))).byteLength, "B");
 printValue("w2_bytes/three", (await threeClip(lines, 12, 2)).byteLength, "B");
