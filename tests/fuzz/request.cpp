@@ -20,7 +20,7 @@ struct Reading {
     bool operator==(const Reading& other) const {
         const auto same = [](const Request& a, const Request& b) {
             return a.method == b.method && a.path == b.path && a.query == b.query && a.headers == b.headers &&
-                   a.content() == b.content();
+                   a.body == b.body;
         };
         // What was taken of a request that is refused does not matter: nothing more is read from there.
         return refusal == other.refusal && (refusal != 0 || taken == other.taken) &&
