@@ -26,7 +26,7 @@ def stroke(index: int) -> list[list[float]]:
 
 def request() -> dict[str, Any]:
     tufts = [{"points": stroke(index)} for index in range(STROKES)]
-    return {"tufts": tufts, "mesh": {"rings": 64, "sides": 12, "layout": "merged"}}
+    return {"tufts": tufts, "mesh": {"rings": 64, "sides": 12, "layout": "merged", "skin": False}}
 
 
 if __name__ == "__main__":
