@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "elementary_bodies.hpp"
+#include "close_bodies.hpp"
 
 namespace tuftwave {
 namespace {
