@@ -1,12 +1,14 @@
 // How fast motion and what is written of it are: W2, 200 chains of 16 nodes in 12 pictures. Nothing asserts a time.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "api/pose_text.hpp"
+#include "api/write_nouns.hpp"
 #include "gltf/hair_file.hpp"
 #include "tuftwave/elementary.hpp"
 #include "tuftwave/motion.hpp"
@@ -94,21 +96,31 @@ void nlohmann_poses_w2(benchmark::State& state) {
     const std::vector<Chain> chains = chains_of_w2();
     const HairMotion motion = motion_of_w2(chains);
     const std::vector<ChainPoses> numbers = chain_poses(chains, motion, {});
-    const auto array = [](const auto& parts) {
+    std::vector<std::vector<std::array<double, 11>>> shortened;  // as they stand in the text
+    for (const ChainPoses& chain : numbers) {
+        for (auto& into = shortened.emplace_back(); const NodePose& pose : chain.poses) {
+            double* to = into.emplace_back().data();
+            for (const float part : pose.rotation) *to++ = short_number(static_cast<double>(part));
+            for (const float part : pose.turn) *to++ = short_number(static_cast<double>(part));
+            for (const float part : pose.position) *to++ = short_number(static_cast<double>(part));
+        }
+    }
+    const auto array = [](const double* from, std::size_t count) {
         nlohmann::json made = nlohmann::json::array();
-        for (const float part : parts) made.push_back(static_cast<double>(part));
+        for (std::size_t i = 0; i < count; ++i) made.push_back(from[i]);
         return made;
     };
     for (auto _ : state) {
         nlohmann::json document{{"pictures", nlohmann::json::array()}};
         for (std::size_t n = 0; n < 12; ++n) {
             nlohmann::json picture{{"chains", nlohmann::json::array()}};
-            for (const ChainPoses& chain : numbers) {
+            for (std::size_t c = 0; c < numbers.size(); ++c) {
+                const ChainPoses& chain = numbers[c];
                 nlohmann::json rotations = nlohmann::json::array(), turns = rotations, positions = rotations;
                 for (std::size_t i = n * chain.nodes; i < (n + 1) * chain.nodes; ++i) {
-                    rotations.push_back(array(chain.poses[i].rotation));
-                    turns.push_back(array(chain.poses[i].turn));
-                    positions.push_back(array(chain.poses[i].position));
+                    rotations.push_back(array(&shortened[c][i][0], 4));
+                    turns.push_back(array(&shortened[c][i][4], 4));
+                    positions.push_back(array(&shortened[c][i][8], 3));
                 }
                 picture["chains"].push_back({{"name", chain.name},
                                              {"rotations", std::move(rotations)},
