@@ -61,6 +61,11 @@ int Document::add_view(Purpose purpose, std::size_t bytes, std::size_t stride) {
 
 int Document::add_accessor(const Accessor& accessor) { return appended(model_->accessors, accessor); }
 
+void Document::expect(std::size_t nodes, std::size_t accessors) {
+    model_->nodes.reserve(model_->nodes.size() + nodes);
+    model_->accessors.reserve(model_->accessors.size() + accessors);
+}
+
 int Document::add_node(const Node& node) { return appended(model_->nodes, Model::Placed{node, {}, {}}); }
 
 void Document::add_child(int parent, int child) {
@@ -83,8 +88,8 @@ int Document::add_skin(const std::vector<int>& joints, int inverse_bind_matrices
 }
 
 void Document::add_animation(const std::string& name, int times, Interpolation interpolation,
-                             const std::vector<Channel>& channels, const nlohmann::json& extras) {
-    model_->animations.push_back({name, times, interpolation, channels, extras_text(extras)});
+                             std::vector<Channel> channels, const nlohmann::json& extras) {
+    model_->animations.push_back({name, times, interpolation, std::move(channels), extras_text(extras)});
 }
 
 void Document::set_node_extras(int node, const nlohmann::json& extras) {

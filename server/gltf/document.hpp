@@ -70,14 +70,16 @@ class Document {
     /// @param stride  bytes per element of an attribute view
     int add_view(Purpose purpose, std::size_t bytes, std::size_t stride = 0);
     int add_accessor(const Accessor& accessor);
+    /// Makes room for what is about to be added.
+    void expect(std::size_t nodes, std::size_t accessors);
     int add_node(const Node& node);
     void add_child(int parent, int child);
     void add_to_scene(int node);
     int add_material(const std::string& name, std::array<double, 3> linear_color);
     int add_mesh(const std::string& name, const Primitive& primitive);
     int add_skin(const std::vector<int>& joints, int inverse_bind_matrices, int skeleton_root);
-    void add_animation(const std::string& name, int times, Interpolation interpolation,
-                       const std::vector<Channel>& channels, const nlohmann::json& extras);
+    void add_animation(const std::string& name, int times, Interpolation interpolation, std::vector<Channel> channels,
+                       const nlohmann::json& extras);
     void set_node_extras(int node, const nlohmann::json& extras);
     void set_asset_extras(std::string extras);  ///< @param extras  an object's text
 

@@ -1,6 +1,7 @@
 #include "gltf/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -142,15 +143,19 @@ void write_skins(const Model& model, JsonText& to) {
 Document::Model::Placed::Placed(const Node& node, std::vector<int> its_children, std::string its_extras)
     : children(std::move(its_children)), extras(std::move(its_extras)) {
     constexpr std::size_t kMostNumbers = 512, kMostEscaped = 6;  // bytes of all numbers and keys, of a letter
-    std::string room(kMostNumbers + kMostEscaped * node.name.size(), '\0');
-    JsonText to(room.data());
+    std::array<char, 2 * kMostNumbers> usual;                    // a name has 15 bytes in our own files
+    std::string large;
+    const std::size_t most = kMostNumbers + kMostEscaped * node.name.size();
+    if (most > usual.size()) large.resize(most);
+    char* const room = large.empty() ? usual.data() : large.data();
+    JsonText to(room);
     if (node.mesh) to.key("mesh").number(*node.mesh);
     if (!node.name.empty()) to.key("name").text(node.name);
     if (node.rotation) write_numbers(to, "rotation", *node.rotation);
     if (node.scale) write_numbers(to, "scale", std::array<double, 3>{*node.scale, *node.scale, *node.scale});
     if (node.skin) to.key("skin").number(*node.skin);
     if (node.translation) write_numbers(to, "translation", *node.translation);
-    members.assign(room, 0, to.bytes());
+    members.assign(room, to.bytes());
 }
 
 std::size_t width_of(Document::Shape shape) {

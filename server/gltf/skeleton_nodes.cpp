@@ -23,11 +23,16 @@ std::array<double, 4> to_array(const Quat& q) { return {as_float(q.x), as_float(
 SkeletonNodes::SkeletonNodes(Document& document, std::span<const Chain> chains, const std::vector<std::string>& names)
     : document_(document), root_(document.add_node({"hair_root", {}, {}, {}, {}})) {
     document_.add_to_scene(root_);
+    std::size_t nodes = 0;
+    for (const Chain& chain : chains) nodes += chain.nodes.size() + 1;
+    document_.expect(nodes, 0);
+    chains_.reserve(chains.size());
     for (std::size_t i = 0; i < chains.size(); ++i) add_chain(chains[i], names[i]);
 }
 
 void SkeletonNodes::add_chain(const Chain& chain, const std::string& name) {
     ChainNodes nodes;
+    nodes.joints.reserve(chain.nodes.size() - 1);
     int parent = root_;
     Quat global;
     Vec3 origin;
@@ -58,12 +63,16 @@ HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys k
     const std::size_t count = keys_.times.size(), bytes = count * 4 * sizeof(float);
     std::size_t joints = 0;
     for (const ChainNodes& chain : skeleton.chains()) joints += chain.joints.size();
+    document.expect(0, joints + 1);
     times_ = document.add_accessor({document.add_view(Document::Purpose::kData, count * sizeof(float)), 0, count,
                                     Document::Component::kF32, Document::Shape::kScalar, true});
     const int view = document.add_view(Document::Purpose::kData, joints * bytes);
     std::vector<Document::Channel> channels;
+    channels.reserve(joints);
+    values_.reserve(skeleton.chains().size());
     for (const ChainNodes& chain : skeleton.chains()) {
         std::vector<int>& accessors = values_.emplace_back();
+        accessors.reserve(chain.joints.size());
         for (const int node : chain.joints) {
             accessors.push_back(document.add_accessor(
                 {view, channels.size() * bytes, count, Document::Component::kF32, Document::Shape::kVec4}));
@@ -71,7 +80,7 @@ HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys k
         }
     }
     const auto between = keys_.is_stepped ? Document::Interpolation::kStep : Document::Interpolation::kLinear;
-    document.add_animation("wave", times_, between, channels, extras);
+    document.add_animation("wave", times_, between, std::move(channels), extras);
 }
 
 void HeldClip::fill(std::span<const ChainMotion> motions) {
