@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "api/float_text.hpp"
+#include "memory/buffers.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -90,8 +91,7 @@ std::string text_with_poses(const nlohmann::ordered_json& answer, std::span<cons
         most += pictures * (names.back().size() + kChainBytes) + chain.poses.size() * kPoseBytes;
     }
     most += pictures * kChainBytes;
-    std::string text;
-    text.reserve(most);  // room that stays unused costs nothing, growing costs a copy
+    std::string text = memory::take_buffer(0, most);  // room that stays unused costs nothing, growing costs a copy
     text.append(frame, 0, at).append("\"pictures\":[");
     for (std::size_t n = 0; n < pictures; ++n) {
         if (n > 0) text += ',';
