@@ -45,6 +45,9 @@ inline constexpr Choices<gltf::Holding, 3> kHoldings{
 inline constexpr Choices<gltf::ClipKind, 2> kClipKinds{
     {{"skeleton", gltf::ClipKind::kSkeleton}, {"flip_book", gltf::ClipKind::kFlipBook}}};
 
+inline constexpr Choices<gltf::Compression, 2> kCompressions{
+    {{"none", gltf::Compression::kNone}, {"meshopt", gltf::Compression::kMeshopt}}};
+
 template <class Enum, std::size_t count>
 std::string_view word_of(const Choices<Enum, count>& choices, Enum meaning) {
     for (const auto& [word, value] : choices) {

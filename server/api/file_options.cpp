@@ -9,9 +9,10 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr std::array<QueryField, 3> kQueryFields{{{"repeat", "/repeat"},
+constexpr std::array<QueryField, 4> kQueryFields{{{"repeat", "/repeat"},
                                                   {"interpolation", "/interpolation", QueryValue::kText},
-                                                  {"clip", "/clip", QueryValue::kText}}};
+                                                  {"clip", "/clip", QueryValue::kText},
+                                                  {"compression", "/compression", QueryValue::kText}}};
 
 Problem no_use(const std::string& pointer, const std::string& given, const std::string& allowed) {
     return fields_problem({{ProblemCode::kConflict, pointer, given, allowed, {}, {}}});
@@ -31,6 +32,7 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
     fields.integer("repeat", limits.repeat, read.repeat);
     fields.choice("interpolation", kHoldings, read.holding);
     fields.choice("clip", kClipKinds, read.kind);
+    fields.choice("compression", kCompressions, read.compression);
     fields.done();
     if (!problems.empty()) return as_query_problem(fields_problem(problems.take()), kQueryFields, request);
     if (read.repeat != 1 && !repeats(format))
@@ -40,6 +42,10 @@ std::variant<FileOptions, Problem> read_file_options(const Request& request, For
                       "step; only glb and gltf have clips");
     if (read.kind != gltf::ClipKind::kSkeleton && !has_clip(format))
         return no_use("?clip", std::string(word_of(kClipKinds, read.kind)), "skeleton; only glb and gltf have clips");
+    const bool is_packed = read.compression != gltf::Compression::kNone;
+    if (is_packed && (format != Format::kGlb || read.kind == gltf::ClipKind::kFlipBook))
+        return no_use("?compression", std::string(word_of(kCompressions, read.compression)),
+                      "none; only glb is packed, and no flip book");
     return read;
 }
 

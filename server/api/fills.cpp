@@ -82,7 +82,7 @@ Error at_fill(Error error) {
     return error;
 }
 
-Answer answer_file(HairRequest hair, Filled filled, Format format, const Context& context) {
+Answer answer_file(HairRequest hair, Filled filled, Format format, const FileOptions& options, const Context& context) {
     if (filled.tufts.empty())
         return fields_problem({{ProblemCode::kTooFew,
                                 "/fill/density",
@@ -93,15 +93,18 @@ Answer answer_file(HairRequest hair, Filled filled, Format format, const Context
     hair.hairstyle.tufts = std::move(filled.tufts);
     const Result<HairPlan> plan = plan_hairstyle(hair.hairstyle, context.limits, context.for_each, context.stop);
     if (!plan) return to_problem(at_fill(plan.error()));
-    return formatted(format, hair_bytes(hair, *plan, format, context), "fill", nullptr);
+    return formatted(format, hair_bytes(hair, *plan, format, context, options), "fill", nullptr);
 }
 
 }  // namespace
 
 Answer post_fills(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
+    if (auto problem = check_query(request, {"format", "compression"})) return *std::move(problem);
     auto chosen = choose_format(request, {Format::kJson, Format::kGlb, Format::kGltf});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    const Format format = std::get<Format>(chosen);
+    auto options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
     auto body = read_body(request);
     if (auto* problem = std::get_if<Problem>(&body)) return std::move(*problem);
     auto read = read_request(std::get<JsonDocument>(body).root(), context.limits);
@@ -110,8 +113,9 @@ Answer post_fills(const Request& request, const Context& context) {
     auto& wanted = std::get<FillRequest>(read);
     Result<Filled> filled = fill(wanted, context);
     if (!filled) return to_problem(filled.error());
-    const Format format = std::get<Format>(chosen);
-    if (format != Format::kJson) return answer_file(std::move(wanted.hair), std::move(filled).value(), format, context);
+    if (format != Format::kJson)
+        return answer_file(std::move(wanted.hair), std::move(filled).value(), format, std::get<FileOptions>(options),
+                           context);
     return formatted(format, answer_json(*filled), "fill", nullptr);
 }
 

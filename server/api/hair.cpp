@@ -188,14 +188,18 @@ Answer answer_hair(const Request& request, const Context& context, Stillness sti
 }  // namespace
 
 Answer post_tufts(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format"})) return *std::move(problem);
-    auto format = choose_format(request, {Format::kGlb, Format::kGltf});
-    if (auto* problem = std::get_if<Problem>(&format)) return std::move(*problem);
-    return answer_hair(request, context, Stillness::kStill, std::get<Format>(format), {});
+    if (auto problem = check_query(request, {"format", "compression"})) return *std::move(problem);
+    auto chosen = choose_format(request, {Format::kGlb, Format::kGltf});
+    if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);
+    const Format format = std::get<Format>(chosen);
+    auto options = read_file_options(request, format, context.limits);
+    if (auto* problem = std::get_if<Problem>(&options)) return std::move(*problem);
+    return answer_hair(request, context, Stillness::kStill, format, std::get<FileOptions>(options));
 }
 
 Answer post_hairstyles(const Request& request, const Context& context) {
-    if (auto problem = check_query(request, {"format", "repeat", "interpolation", "clip"})) return *std::move(problem);
+    if (auto problem = check_query(request, {"format", "repeat", "interpolation", "clip", "compression"}))
+        return *std::move(problem);
     auto chosen = choose_format(request, {Format::kGlb, Format::kGltf, Format::kJson, Format::kXdts, Format::kCsv,
                                           Format::kVmd, Format::kBvh, Format::kUsda});
     if (auto* problem = std::get_if<Problem>(&chosen)) return std::move(*problem);

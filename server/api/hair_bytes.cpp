@@ -46,7 +46,7 @@ gltf::File hair_bytes(const HairRequest& hair, const HairPlan& plan, Format form
     const nlohmann::json clip = plan.motion ? nlohmann::json(schedule_json(plan.motion->schedule)) : nlohmann::json();
     const auto container = format == Format::kGlb ? gltf::Container::kGlb : gltf::Container::kGltf;
     return gltf::hair_file(plan, hair.look, asset_extras(hair, plan), {clip, options.holding, options.kind}, container,
-                           context.for_each, context.stop);
+                           options.compression, context.for_each, context.stop);
 }
 
 }  // namespace tuftwave::server

@@ -13,8 +13,7 @@ namespace tuftwave::server::gltf {
 namespace {
 
 constexpr std::size_t kAlignment = 4;
-constexpr std::size_t kGlbHeads = 12 + 8 + 8;  // of the file and of its two chunks
-constexpr std::size_t kStart = 64;             // bytes that the buffer's place in memory is a multiple of
+constexpr std::size_t kStart = 64;  // bytes that the buffer's place in memory is a multiple of
 
 std::size_t aligned(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 
@@ -42,11 +41,6 @@ void write_base64(const unsigned char* from, std::size_t bytes, char* to) {
     }
 }
 
-char* write_number(char* to, std::size_t number) {
-    for (int i = 0; i < 4; ++i) *to++ = static_cast<char>(number >> (8 * i) & 0xFF);
-    return to;
-}
-
 }  // namespace
 
 Document::Document(const std::string& generator) : model_(std::make_unique<Model>()) { model_->generator = generator; }
@@ -66,7 +60,15 @@ void Document::expect(std::size_t nodes, std::size_t accessors) {
     model_->accessors.reserve(model_->accessors.size() + accessors);
 }
 
-int Document::add_node(const Node& node) { return appended(model_->nodes, Model::Placed{node, {}, {}}); }
+int Document::add_node(const Node& node) {
+    const int added = appended(model_->nodes, Model::Placed{node, {}, {}});
+    if (node.mesh) {
+        Model::Mesh& mesh = model_->meshes[static_cast<std::size_t>(*node.mesh)];
+        mesh.node = added;
+        mesh.skin = node.skin;
+    }
+    return added;
+}
 
 void Document::add_child(int parent, int child) {
     std::vector<int>& children = model_->nodes[static_cast<std::size_t>(parent)].children;
@@ -113,7 +115,7 @@ void Document::allocate(Container container) {
 
 std::span<std::byte> Document::bytes(int accessor) {
     const Accessor& at = model_->accessors[static_cast<std::size_t>(accessor)];
-    const std::size_t size = at.count * (at.component == Component::kU16 ? 2 : 4) * width_of(at.shape);
+    const std::size_t size = at.count * size_of(at.component) * width_of(at.shape);
     const std::size_t start = model_->views[static_cast<std::size_t>(at.view)].offset + at.offset;
     return std::as_writable_bytes(std::span(model_->memory)).subspan(model_->first + start, size);
 }
@@ -146,16 +148,14 @@ File Document::write_glb() {
     char* const start = model_->memory.data();
     JsonText json(start);
     write_json(*model_, json, {});
-    const std::size_t data = model_->bytes, heads = data > 0 ? kGlbHeads : kGlbHeads - 8;
+    const std::size_t data = model_->bytes, heads = data > 0 ? kGlbHeads : kGlbTextAt;
     const std::size_t text = aligned(json.bytes());
     if (heads + text > model_->first) throw std::length_error("more JSON than there is room for");
     const std::size_t first = model_->first - heads - text;
-    char* const at = start + first + kGlbHeads - 8;
+    char* const at = start + first + kGlbTextAt;
     std::memmove(at, start, json.bytes());
     std::fill(at + json.bytes(), at + text, ' ');
-    char* const to = write_number(write_number(start + first, 0x46546C67), 2);
-    write_number(write_number(write_number(to, heads + text + data), text), 0x4E4F534A);
-    if (data > 0) write_number(write_number(at + text, data), 0x004E4942);
+    write_glb_heads(start + first, text, data);
     return {std::move(model_->memory), first};
 }
 

@@ -32,7 +32,7 @@ struct File {
 class Document {
   public:
     enum class Purpose { kAttribute, kIndex, kData };  ///< what a view holds, which decides its target and stride
-    enum class Component { kU16 = 5123, kU32 = 5125, kF32 = 5126 };
+    enum class Component { kI8 = 5120, kU8 = 5121, kU16 = 5123, kU32 = 5125, kF32 = 5126 };
     enum class Shape { kScalar, kVec2, kVec3, kVec4, kMat4 };
 
     struct Accessor {
@@ -41,7 +41,8 @@ class Document {
         std::size_t count = 0;
         Component component = Component::kF32;
         Shape shape = Shape::kScalar;
-        bool is_bounded = false;  ///< whether it is to have bounds, for which there must be room
+        bool is_bounded = false;     ///< whether it is to have bounds, for which there must be room
+        bool is_normalized = false;  ///< whether its whole numbers stand for 0..1 or -1..1
     };
     struct Node {
         std::string name;
@@ -101,6 +102,8 @@ class Document {
     File write(Container container);
 
     struct Model;
+    /// What it says and holds once it is filled, for whoever writes it in another form.
+    Model& model() { return *model_; }
 
   private:
     File write_glb();

@@ -7,6 +7,7 @@
 #include "gltf/flip_book.hpp"
 #include "gltf/hair_meshes.hpp"
 #include "gltf/names.hpp"
+#include "gltf/packed_file.hpp"
 #include "gltf/skeleton_nodes.hpp"
 #include "tuftwave/elementary.hpp"
 #include "version.hpp"
@@ -40,7 +41,7 @@ File flip_book_file(const HairPlan& plan, const Look& look, std::string asset_ex
 }  // namespace
 
 File hair_file(const HairPlan& plan, const Look& look, std::string asset_extras, const Clip& clip, Container container,
-               const ForEach& for_each, const std::stop_token& stop) {
+               Compression compression, const ForEach& for_each, const std::stop_token& stop) {
     if (plan.motion && clip.kind == ClipKind::kFlipBook)
         return flip_book_file(plan, look, std::move(asset_extras), clip, container, for_each, stop);
     Document document(kGenerator);
@@ -63,6 +64,7 @@ File hair_file(const HairPlan& plan, const Look& look, std::string asset_extras,
     document.allocate(container);
     meshes.fill(for_each, stop);
     if (keys) keys->fill(plan.motion->chains);
+    if (compression == Compression::kMeshopt) return packed_file(document, for_each, stop);
     return document.write(container);
 }
 

@@ -62,6 +62,7 @@ void write_accessors(const Model& model, JsonText& to) {
             write_numbers(to, "max", bounded->most);
             write_numbers(to, "min", bounded->least);
         }
+        if (accessor.is_normalized) to.key("normalized").raw("true");
         to.key("type").raw(word_of(accessor.shape));
     });
 }
@@ -85,15 +86,38 @@ void write_animations(const Model& model, JsonText& to) {
     });
 }
 
+void write_packed(const Model::Packed& packed, JsonText& to) {
+    to.key("extensions").open('{').key("EXT_meshopt_compression").open('{');
+    to.key("buffer").number(0).key("byteLength").number(packed.bytes).key("byteOffset").number(packed.offset);
+    to.key("byteStride").number(packed.stride).key("count").number(packed.count).key("mode");
+    to.raw(packed.mode == Model::Packed::Mode::kTriangles ? "\"TRIANGLES\"" : "\"ATTRIBUTES\"").close('}').close('}');
+}
+
 void write_views(const Model& model, JsonText& to) {
     constexpr int kAttributes = 34962, kIndices = 34963;
     write_list(to, "bufferViews", model.views, [&](const Model::View& view) {
-        to.key("buffer").number(0).key("byteLength").number(view.bytes);
+        to.key("buffer").number(view.packed ? 1 : 0).key("byteLength").number(view.bytes);
         if (view.offset > 0) to.key("byteOffset").number(view.offset);
         if (view.stride > 0) to.key("byteStride").number(view.stride);
+        if (view.packed) write_packed(*view.packed, to);
         if (view.purpose == Document::Purpose::kData) return;
         to.key("target").number(view.purpose == Document::Purpose::kAttribute ? kAttributes : kIndices);
     });
+}
+
+/// A buffer that is only there for views to be views of: whoever unpacks them makes it.
+void write_fallback(std::size_t bytes, JsonText& to) {
+    to.next().open('{').key("byteLength").number(bytes).key("extensions").open('{');
+    to.key("EXT_meshopt_compression").open('{').key("fallback").raw("true").close('}').close('}').close('}');
+}
+
+void write_extensions(const Model& model, JsonText& to) {
+    if (model.extensions.empty()) return;
+    for (const std::string_view key : {"extensionsRequired", "extensionsUsed"}) {
+        to.key(key).open('[');
+        for (const std::string_view name : model.extensions) to.next().raw("\"").raw(name).raw("\"");
+        to.close(']');
+    }
 }
 
 void write_materials(const Model& model, JsonText& to) {
@@ -158,6 +182,20 @@ Document::Model::Placed::Placed(const Node& node, std::vector<int> its_children,
     members.assign(room, to.bytes());
 }
 
+std::size_t size_of(Document::Component component) {
+    switch (component) {
+        case Document::Component::kI8:
+        case Document::Component::kU8:
+            return 1;
+        case Document::Component::kU16:
+            return 2;
+        case Document::Component::kU32:
+        case Document::Component::kF32:
+            return 4;
+    }
+    return 0;
+}
+
 std::size_t width_of(Document::Shape shape) {
     switch (shape) {
         case Document::Shape::kScalar:
@@ -176,10 +214,11 @@ std::size_t width_of(Document::Shape shape) {
 
 std::size_t most_json_bytes(const Model& model) {
     // Of one item at most, with its keys, its numbers and its comma; of a number in a list; of a character in a text.
-    constexpr std::size_t kFrame = 512, kView = 160, kAccessor = 160, kBounds = 224, kNode = 64, kMaterial = 256;
+    constexpr std::size_t kFrame = 512, kView = 384, kAccessor = 192, kBounds = 224, kNode = 64, kMaterial = 256;
     constexpr std::size_t kMesh = 320, kSkin = 128, kAnimation = 128, kChannelAndSampler = 192;
     constexpr std::size_t kIndex = 12, kCharacter = 6;
     std::size_t bytes = kFrame + model.generator.size() * kCharacter + model.extras.size();
+    for (const auto& extension : model.extensions) bytes += 2 * (extension.size() * kCharacter + 3);
     bytes += model.views.size() * kView + model.accessors.size() * kAccessor + model.roots.size() * kIndex;
     for (const Document::Accessor& accessor : model.accessors) bytes += accessor.is_bounded ? kBounds : 0;
     for (const Model::Placed& node : model.nodes)
@@ -192,6 +231,22 @@ std::size_t most_json_bytes(const Model& model) {
         bytes += animation.channels.size() * kChannelAndSampler;
     }
     return bytes;
+}
+
+char* write_glb_heads(char* file, std::size_t text, std::size_t data) {
+    const auto number = [&](std::size_t value) {
+        for (int i = 0; i < 4; ++i) *file++ = static_cast<char>(value >> (8 * i) & 0xFF);
+    };
+    number(0x46546C67);
+    number(2);
+    number((data > 0 ? kGlbHeads : kGlbTextAt) + text + data);
+    number(text);
+    number(0x4E4F534A);
+    file += text;
+    if (data == 0) return file;
+    number(data);
+    number(0x004E4942);
+    return file;
 }
 
 void write_json(const Model& model, JsonText& to, const std::function<void(JsonText&)>& uri) {
@@ -208,7 +263,10 @@ void write_json(const Model& model, JsonText& to, const std::function<void(JsonT
         uri(to);
         to.raw("\"");
     }
-    to.close('}').close(']');
+    to.close('}');
+    if (model.fallback > 0) write_fallback(model.fallback, to);
+    to.close(']');
+    write_extensions(model, to);
     write_materials(model, to);
     write_meshes(model, to);
     write_nodes(model, to);

@@ -12,7 +12,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PEERS = os.path.join(HERE, "peers")
 # Another python3 in front makes Blender look for its modules there.
 PLAIN_PATH = "/usr/sbin:/usr/bin:/sbin:/bin"
-WARM = ("hair", "motion", "reading", "packing", "fill")
+WARM = ("hair", "motion", "reading", "packing", "meshopt", "fill")
 
 
 class Party(NamedTuple):

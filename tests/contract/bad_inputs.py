@@ -235,15 +235,25 @@ FILE_QUERIES = [
     *[Row(f"{word} has one cycle", {}, "conflict", "?repeat", f"?format={word}&repeat=2") for word in ("glb", "gltf", "json", "bvh", "usda")],
 ]
 
+# What the query says about how a file is packed.
+COMPRESSION = [
+    Row("an unknown compression", {}, "not_a_choice", "?compression", "?format=glb&compression=draco"),
+    Row("a compression in figures", {}, "not_a_choice", "?compression", "?format=glb&compression=1"),
+    Row("a compression of no word", {}, "not_a_choice", "?compression", "?format=glb&compression="),
+    Row("a packed gltf", {}, "conflict", "?compression", "?format=gltf&compression=meshopt"),
+]
+
 BODY = [Row(f"the body is {json.dumps(body)}", {"": body}, "wrong_type", "") for body in (None, True, 7, "tufts", [])]
 
 ROWS: dict[str, list[Row]] = {
-    "tufts": [*BODY, *HEAD, *TUFTS, *MESH, *TUFT_MESHES,
+    "tufts": [*BODY, *HEAD, *TUFTS, *MESH, *TUFT_MESHES, *COMPRESSION,
               Row("motion is not for still hair", {"/motion": {}}, "unknown_field", "/motion"),
               Row("fills are not for still hair", {"/fills": []}, "unknown_field", "/fills"),
               Row("a format of other operations", {}, "not_a_choice", "?format", "?format=json"),
               Row("an unknown query", {}, "unknown_field", "?sides", "?sides=12")],
-    "fills": [*BODY, *HEAD, *FILLS, *[row._replace(query="?format=glb") for row in MESH],
+    "fills": [*BODY, *HEAD, *FILLS, *COMPRESSION,
+              Row("packed JSON", {}, "conflict", "?compression", "?compression=meshopt"),
+              *[row._replace(query="?format=glb") for row in MESH],
               *[row._replace(name=f"from: {row.name}") for row in placed("/fill/from", TUFT)],
               *[row._replace(name=f"to: {row.name}") for row in placed("/fill/to", TUFT)]],
     "hairstyles": [*BODY, *HEAD, *TUFTS, *MESH, *TUFT_MESHES, *MOTION, *FORMULAS, *HAIR_FILLS,
@@ -257,7 +267,9 @@ ROWS: dict[str, list[Row]] = {
                    *[Row(f"{word} is no flip book", {}, "conflict", "?clip", f"?format={word}&clip=flip_book") for word in ("json", "xdts", "csv", "vmd", "bvh", "usda")],
                    Row("too many vertices in all pictures", {"/mesh": {"rings": 4096, "sides": 64}, "/tufts": [SMALL_TUFT] * 2}, "too_many", "/mesh", "?clip=flip_book"),
                    Row("a held clip of still hair", {"/motion": None}, "missing_field", "/motion", "?interpolation=held", beyond_schema=True),
-                   *FILE_QUERIES,
+                   *FILE_QUERIES, *COMPRESSION,
+                   *[Row(f"{word} is not packed", {}, "conflict", "?compression", f"?format={word}&compression=meshopt") for word in ("json", "xdts", "csv", "vmd", "bvh", "usda")],
+                   Row("a packed flip book", {}, "conflict", "?compression", "?clip=flip_book&compression=meshopt"),
                    Row("chains belong elsewhere", {"/chains": []}, "unknown_field", "/chains"),
                    Row("an unknown format", {}, "not_a_choice", "?format", "?format=fbx")],
     "motions": [*BODY, *MOTION, *CHAINS, *FORMULAS,
@@ -266,6 +278,7 @@ ROWS: dict[str, list[Row]] = {
                 Row("a VMD of no frame rate", {"/motion/timing/fps": 0}, "out_of_range", "/motion/timing/fps", "?format=vmd"),
                 *[Row(f"too many keys in a {word}", {"/chains": [{"nodes": LONGEST_CHAIN}] * 500, "/motion/timing": {"period": 2, "fps": 30, "hold": 3}},
                       "too_many", "/chains", f"?format={word}") for word in ("vmd", "bvh")],
+                Row("bare chains have nothing to pack", {}, "unknown_field", "?compression", "?format=glb&compression=meshopt"),
                 Row("bare chains have no flip book", {}, "unknown_field", "?clip", "?format=glb&clip=flip_book"),
                 Row("too many cells in a sheet", {"/chains": [{**SMALL_CHAIN, "block": str(i)} for i in range(1000)]}, "too_many", "?repeat",
                     "?format=xdts&repeat=1000"),

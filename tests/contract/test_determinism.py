@@ -12,7 +12,7 @@ from service import Service
 from support import ServiceTest, glb_parts
 
 WORKERS = (1, 2, 4, 16)
-CLIPS = ("glb&interpolation=held", "glb&interpolation=per_frame", "glb&clip=flip_book")
+CLIPS = ("glb&interpolation=held", "glb&interpolation=per_frame", "glb&clip=flip_book", "glb&compression=meshopt")
 FORMATS = ("glb", "gltf", "json", "xdts", "csv", "vmd", "bvh", "usda")
 
 

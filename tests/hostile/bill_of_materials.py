@@ -13,7 +13,7 @@ from typing import Any
 import contract
 from report import Report
 
-KNOWN = ("cpp-httplib", "spdlog", "fmt", "nlohmann-json3", "simdjson", "libssl", "zlib1g", "libbrotli", "libc6", "libstdc++6", "swagger-ui-dist", "three", "three-mesh-bvh", "fflate")
+KNOWN = ("cpp-httplib", "spdlog", "fmt", "nlohmann-json3", "simdjson", "meshoptimizer", "libssl", "zlib1g", "libbrotli", "libc6", "libstdc++6", "swagger-ui-dist", "three", "three-mesh-bvh", "fflate")
 REQUIRED = {"SPDXID", "name", "versionInfo", "downloadLocation", "licenseConcluded", "licenseDeclared", "copyrightText"}
 SCRIPT = os.path.join(contract.ROOT, "script", "sbom")
 

@@ -118,6 +118,24 @@ TEST(Hairstyles, OptionsOfClipsNeedAClip) {
     EXPECT_EQ(slug_of(asked({{"interpolation", "step"}})), "no problem");
 }
 
+TEST(Hairstyles, OnlyGlbWithoutAFlipBookIsPacked) {
+    for (const std::string path : {"/v1/tufts", "/v1/hairstyles"}) {
+        nlohmann::json body = small_hairstyle();
+        if (path == "/v1/tufts") body.erase("motion");
+        const auto asked = [&](const NameValues& query) {
+            Request request = json_post(path, body.dump());
+            request.query = query;
+            return answer_to(request);
+        };
+        EXPECT_EQ(glb_json(body_of(asked({{"compression", "meshopt"}})))["buffers"].size(), 2U);
+        EXPECT_EQ(body_of(asked({{"compression", "none"}})), body_of(asked({})));
+        EXPECT_EQ(pointer_of(asked({{"compression", "meshopt"}, {"format", "gltf"}})), "?compression");
+        EXPECT_EQ(pointer_of(asked({{"compression", "draco"}})), "?compression");
+        if (path == "/v1/tufts") continue;
+        EXPECT_EQ(pointer_of(asked({{"compression", "meshopt"}, {"clip", "flip_book"}})), "?compression");
+    }
+}
+
 TEST(Hairstyles, ANameThatDoesNotSurviveIsKeptInExtras) {
     nlohmann::json body = small_hairstyle();
     body["tufts"][0]["name"] = "前髪";

@@ -85,5 +85,28 @@ TEST(Model, KnowsHowLongItsTextIsAtMost) {
     }
 }
 
+TEST(Model, SaysHowAViewIsPackedAndWhatAReaderMustKnow) {
+    Document::Model model;
+    model.generator = "me";
+    model.bytes = 28;
+    model.fallback = 48;
+    model.extensions = {"A_b", "C_d"};
+    model.views = {{Document::Purpose::kAttribute, 0, 24, 8,
+                    Document::Model::Packed{0, 15, 8, 3, Document::Model::Packed::Mode::kAttributes}},
+                   {Document::Purpose::kIndex, 24, 24, 0,
+                    Document::Model::Packed{16, 9, 4, 6, Document::Model::Packed::Mode::kTriangles}}};
+    model.accessors = {{0, 0, 3, Document::Component::kI8, Document::Shape::kVec3, false, true}};
+    EXPECT_EQ(
+        text_of(model),
+        R"({"accessors":[{"bufferView":0,"componentType":5120,"count":3,"normalized":true,"type":"VEC3"}],)"
+        R"("asset":{"generator":"me","version":"2.0"},"bufferViews":[{"buffer":1,"byteLength":24,"byteStride":8,)"
+        R"("extensions":{"EXT_meshopt_compression":{"buffer":0,"byteLength":15,"byteOffset":0,"byteStride":8,"count":3,)"
+        R"("mode":"ATTRIBUTES"}},"target":34962},{"buffer":1,"byteLength":24,"byteOffset":24,)"
+        R"("extensions":{"EXT_meshopt_compression":{"buffer":0,"byteLength":9,"byteOffset":16,"byteStride":4,"count":6,)"
+        R"("mode":"TRIANGLES"}},"target":34963}],"buffers":[{"byteLength":28},)"
+        R"({"byteLength":48,"extensions":{"EXT_meshopt_compression":{"fallback":true}}}],)"
+        R"("extensionsRequired":["A_b","C_d"],"extensionsUsed":["A_b","C_d"],"scene":0,"scenes":[{}]})");
+}
+
 }  // namespace
 }  // namespace tuftwave::server::gltf

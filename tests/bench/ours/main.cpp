@@ -13,7 +13,7 @@ int main(int count, char** arguments) {
     const std::map<std::string, void (*)(const Workloads&)> all{
         {"first", measure_first}, {"many", measure_many},       {"pack_memory", measure_pack_memory},
         {"hair", measure_hair},   {"motion", measure_motion},   {"reading", measure_reading},
-        {"fill", measure_fill},   {"packing", measure_packing},
+        {"fill", measure_fill},   {"packing", measure_packing}, {"meshopt", measure_meshopt},
     };
     if (count < 3) return std::fputs("usage: tuftwave_bench_ours FOLDER WHAT...\n", stderr), 2;
     try {

@@ -45,9 +45,11 @@ Limits no_limits() {
     return limits;
 }
 
-server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each) {
+server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each,
+                            server::gltf::Compression compression) {
     const HairPlan plan = value_of(plan_hairstyle(hairstyle, no_limits(), for_each, {}));
-    return server::gltf::hair_file(plan, look, "{}", {nlohmann::json()}, server::gltf::Container::kGlb, for_each, {});
+    return server::gltf::hair_file(plan, look, "{}", {nlohmann::json()}, server::gltf::Container::kGlb, compression,
+                                   for_each, {});
 }
 
 void sent(server::gltf::File file) {

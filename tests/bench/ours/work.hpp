@@ -20,6 +20,7 @@ void measure_motion(const Workloads& workloads);
 void measure_reading(const Workloads& workloads);
 void measure_packing(const Workloads& workloads);
 void measure_fill(const Workloads& workloads);
+void measure_meshopt(const Workloads& workloads);
 
 /// W1 with so many of its strokes, again and again from the first one; 64 rings, 12 sides.
 Hairstyle hair_of(const Workloads& workloads, std::size_t strokes);
@@ -31,7 +32,8 @@ server::gltf::Look merged_look();
 Limits no_limits();
 
 /// The GLB of a hairstyle: planned, meshed and packed. @param for_each  who works
-server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each);
+server::gltf::File hair_glb(const Hairstyle& hairstyle, const server::gltf::Look& look, const ForEach& for_each,
+                            server::gltf::Compression compression = server::gltf::Compression::kNone);
 
 /// What the service does with an answer once it has been sent: its buffer is for the next one.
 void sent(server::gltf::File file);
