@@ -224,6 +224,7 @@ def write_files(files: Files) -> None:
     write_at_30_fps(files, "hairstyles", "example_hairstyles", example("hairstyles"))
     write_interpolations(files)
     write_flip_books(files)
+    write_packed(files)
     tuft = example("hairstyles")["tufts"][0]
     for name, timing in fitting_timings():
         files.write("motions", f"chains_{name}", {**example("motions"), "motion": {"timing": timing}}, "json", "glb")
@@ -262,6 +263,14 @@ def write_flip_books(files: Files) -> None:
         files.write("hairstyles", f"hair_merged_{word}_flip_book", bodies["hair_merged"], "glb", query=f"&clip=flip_book&interpolation={word}")
 
 
+def write_packed(files: Files) -> None:
+    """Each beside the plain file of the same hair, NAME.glb."""
+    for operation, bodies in (("tufts", stills()), ("fills", fills()), ("hairstyles", hairs())):
+        for name, body in bodies:
+            if "tressfx" not in name:  # which takes long to bend
+                files.write(operation, f"{name}_packed", body, "glb", query="&compression=meshopt")
+
+
 def write_many(files: Files) -> None:
     for layout in ("merged", "per_tuft"):
         name = f"fill_many_{layout}"
@@ -293,7 +302,7 @@ def check(server: str, directory: str) -> int:
         write_uploads(service, os.path.join(directory, "uploads"), files.check)
     passed, failed = files.passed, files.failed
     print(f"{len(os.listdir(directory))} files in {directory}")
-    for script in ("validate.mjs", "playback.mjs", "flip_book.mjs", "poses.mjs", "uploads.mjs"):
+    for script in ("validate.mjs", "playback.mjs", "flip_book.mjs", "packed.mjs", "poses.mjs", "uploads.mjs"):
         more_passed, more_failed = run_node(script, os.path.join(directory, "uploads") if script == "uploads.mjs" else directory)
         passed, failed = passed + more_passed, failed + more_failed
     print(f"{passed} passed, {failed} failed")

@@ -158,7 +158,7 @@ const [directory, loops = "200"] = process.argv.slice(2);
 const checks = new Checks();
 let files = 0;
 let frames = 0;
-for (const file of readdirSync(directory).filter((entry) => entry.endsWith(".glb")).sort()) {
+for (const file of readdirSync(directory).filter((entry) => entry.endsWith(".glb") && !entry.endsWith("_packed.glb")).sort()) {
   const name = file.slice(0, -4);
   const glb = readGlb(join(directory, file));
   checks.add(`${name}: nodes`, nodeFault(glb));

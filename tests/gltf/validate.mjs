@@ -10,10 +10,14 @@ import validator from "gltf-validator";
 
 import { Checks } from "./checks.mjs";
 
+const PACKING = "EXT_meshopt_compression";
+const isPacked = (json) => json.extensionsUsed?.includes(PACKING) ?? false;
+
 // What the validator remarks on although it is meant: texture coordinates without a texture, which are for the user's
-// own one, and tips of chains, which are nodes that carry nothing.
+// own one, tips of chains, which are nodes that carry nothing, and packed views, of which it knows nothing.
 const ALLOWED = {
-  UNUSED_OBJECT: (pointer) => /^\/meshes\/\d+\/primitives\/0\/attributes\/TEXCOORD_0$/.test(pointer),
+  UNUSED_OBJECT: (pointer, json) => /^\/meshes\/\d+\/primitives\/0\/attributes\/TEXCOORD_0$/.test(pointer) || (isPacked(json) && pointer === "/buffers/0"),
+  UNSUPPORTED_EXTENSION: (pointer, json) => isPacked(json) && pointer === `/extensionsUsed/${json.extensionsUsed.indexOf(PACKING)}`,
   NODE_EMPTY: (pointer, json) => {
     const index = Number(pointer.split("/")[2]);
     const isJoint = (json.skins ?? []).some((skin) => skin.joints.includes(index));
