@@ -18,6 +18,8 @@ std::size_t encode_attributes(std::span<const std::byte> elements, std::size_t s
 /// Bytes that so many indices take at most. @param vertices  more than the largest of them
 std::size_t most_for_triangles(std::size_t count, std::size_t vertices);
 
+/// The library's own bytes, sooner where the same part comes again and again with vertices of its own, as tufts of one
+/// shape do.
 /// @param indices  of one triangle or more, three each
 /// @param to       with room for the most
 /// @return         bytes that it took

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tuftwave/tuft.hpp"
+
 namespace tuftwave::server::gltf {
 namespace {
 
@@ -37,6 +39,59 @@ TEST(Meshopt, TrianglesComeBackInOrderAndWayRound) {
         while (turn < 3 && back[i + turn] != triangles[i]) ++turn;
         for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(back[i + (turn + k) % 3], triangles[i + k]) << i;
     }
+}
+
+/// Triangles of tubes, one after the other, each with vertices of its own.
+std::vector<std::uint32_t> tubes(std::size_t count, int rings, int sides) {
+    std::vector<std::uint32_t> all;
+    MeshPlan plan;
+    plan.ring_count = static_cast<std::size_t>(rings);
+    plan.sides = sides;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t first = all.size();
+        all.resize(first + plan.index_count());
+        write_indices(plan, std::span(all).subspan(first), static_cast<std::uint32_t>(i * plan.vertex_count()));
+    }
+    return all;
+}
+
+std::string by_library(const std::vector<std::uint32_t>& triangles) {
+    std::string bytes(most_for_triangles(triangles.size(), triangles.size()), '?');
+    auto* const to = reinterpret_cast<unsigned char*>(bytes.data());
+    bytes.resize(meshopt_encodeIndexBuffer(to, bytes.size(), triangles.data(), triangles.size()));
+    return bytes;
+}
+
+std::string by_us(const std::vector<std::uint32_t>& triangles) {
+    std::string bytes(most_for_triangles(triangles.size(), triangles.size()), '?');
+    bytes.resize(encode_triangles(triangles, bytes));
+    return bytes;
+}
+
+TEST(Meshopt, PartsThatComeAgainAreWrittenAsTheLibraryWritesThem) {
+    for (const int rings : {2, 3, 7, 64}) {
+        for (const int sides : {3, 4, 12, 63}) {
+            for (const std::size_t count : {1u, 2u, 3u, 4u, 5u, 9u, 300u}) {
+                const std::vector<std::uint32_t> triangles = tubes(count, rings, sides);
+                ASSERT_EQ(by_us(triangles), by_library(triangles)) << count << " of " << rings << " x " << sides;
+            }
+        }
+    }
+}
+
+TEST(Meshopt, PartsThatOnlyAlmostComeAgainAreWrittenAsTheLibraryWritesThem) {
+    const std::vector<std::uint32_t> same = tubes(8, 5, 6);
+    for (const std::size_t changed : {std::size_t{0}, same.size() / 2, same.size() - 1}) {
+        std::vector<std::uint32_t> triangles = same;
+        triangles[changed] += 1;
+        EXPECT_EQ(by_us(triangles), by_library(triangles)) << changed;
+    }
+    std::vector<std::uint32_t> longer = same;
+    longer.insert(longer.end(), same.begin(), same.begin() + 3);
+    EXPECT_EQ(by_us(longer), by_library(longer));
+    std::vector<std::uint32_t> turned;  // vertices of a part come in no order
+    for (const std::uint32_t index : same) turned.push_back(index / 32 * 32 + (31 - index % 32));
+    EXPECT_EQ(by_us(turned), by_library(turned));
 }
 
 }  // namespace
