@@ -51,7 +51,7 @@ File hair_file(const HairPlan& plan, const Look& look, std::string asset_extras,
     if (has_skin || !is_merged) names = claim_names(plan.chains, "tuft");
     std::optional<SkeletonNodes> skeleton;
     if (has_skin) skeleton.emplace(document, plan.chains, names);
-    HairMeshes meshes(document, plan);
+    HairMeshes meshes(document, plan, compression == Compression::kMeshopt);
     const int material = document.add_material("hair", linear_color(look.color));
     if (is_merged) {
         meshes.reserve_merged(skeleton ? &*skeleton : nullptr, material);

@@ -5,6 +5,7 @@
 
 #include "gltf/bounds.hpp"
 #include "gltf/index_type.hpp"
+#include "gltf/packed_order.hpp"
 
 namespace tuftwave::server::gltf {
 namespace {
@@ -25,10 +26,11 @@ void fill_matrices(const Chain& chain, std::span<float> out) {
 
 }  // namespace
 
-HairMeshes::HairMeshes(Document& document, const HairPlan& plan)
+HairMeshes::HairMeshes(Document& document, const HairPlan& plan, bool is_packed)
     : document_(document),
       plan_(plan),
       has_skin_(plan.hairstyle->mesh.skin),
+      is_packed_(is_packed),
       positions_(document.add_view(Purpose::kAttribute, plan.vertices * 12, 12)),
       normals_(document.add_view(Purpose::kAttribute, plan.vertices * 12, 12)),
       uvs_(document.add_view(Purpose::kAttribute, plan.vertices * 8, 8)) {
@@ -179,10 +181,15 @@ Bounds HairMeshes::fill_tuft(std::size_t tuft, const Start& start) {
 void HairMeshes::fill_indices(const MeshPlan& tuft, int accessor, std::size_t first_index, std::size_t first_vertex) {
     const auto offset = static_cast<std::uint32_t>(first_vertex);
     const std::size_t count = tuft.index_count();
+    const auto write = [&](auto indices) {
+        const auto triangles = indices.subspan(first_index, count);
+        write_indices(tuft, triangles, offset);
+        if (is_packed_) order_for_packing(triangles, tuft.sides);
+    };
     if (fits_short(is_merged_ ? plan_.vertices : tuft.vertex_count())) {
-        write_indices(tuft, document_.data<std::uint16_t>(accessor).subspan(first_index, count), offset);
+        write(document_.data<std::uint16_t>(accessor));
     } else {
-        write_indices(tuft, document_.data<std::uint32_t>(accessor).subspan(first_index, count), offset);
+        write(document_.data<std::uint32_t>(accessor));
     }
 }
 

@@ -19,7 +19,8 @@ namespace tuftwave::server::gltf {
 /// The meshes of a hair file: reserved first, then written in place once the document's buffer is made.
 class HairMeshes {
   public:
-    HairMeshes(Document& document, const HairPlan& plan);
+    /// @param is_packed  whether triangles are to be in the order that packs best
+    HairMeshes(Document& document, const HairPlan& plan, bool is_packed);
 
     /// Each tuft on its own; tufts of one shape share their triangles.
     void reserve_per_tuft(const std::vector<std::string>& names, const SkeletonNodes* skeleton, int material);
@@ -52,7 +53,7 @@ class HairMeshes {
 
     Document& document_;
     const HairPlan& plan_;
-    bool has_skin_;
+    bool has_skin_, is_packed_;
     int positions_, normals_, uvs_, joints_ = -1, weights_ = -1;  // views
     bool is_merged_ = false;
     std::vector<Part> parts_;

@@ -122,28 +122,28 @@ std::size_t json_bytes(const Model& model) {
     return json.bytes();
 }
 
-/// Puts views together that were written with room between them. @param data  the first; each after the first
-void close_up(const Model& model, const std::vector<std::size_t>& rooms, char* data) {
-    const char* from = data;
-    for (std::size_t i = 0; i < rooms.size(); ++i) {
+/// Puts views together that were written with room behind each, at the end of all of that: so memory that is used again
+/// is never too short.
+/// @param starts  of the views, in `room`
+void close_up(const Model& model, const std::vector<std::size_t>& starts, std::span<char> room) {
+    char* const data = room.data() + room.size() - model.bytes;
+    for (std::size_t i = model.views.size(); i-- > 0;) {
         const Model::View& view = model.views[i];
         const std::size_t length = view.packed ? view.packed->bytes : view.bytes;
         char* const to = data + (view.packed ? view.packed->offset : view.offset);
-        std::memmove(to, from, length);
+        std::memmove(to, room.data() + starts[i], length);
         std::fill(to + length, to + aligned(length), '\0');
-        from += rooms[i];
     }
 }
 
-/// Writes what stands before the views. @param memory  with room for it before `data`
-File with_heads(const Model& model, std::string memory, std::size_t data) {
-    const std::size_t text = aligned(json_bytes(model)), first = data - kGlbHeads - text;
+/// Writes what stands before the views, which are at the end. @param memory  with room for it
+File with_heads(const Model& model, std::string memory) {
+    const std::size_t text = aligned(json_bytes(model)), first = memory.size() - model.bytes - kGlbHeads - text;
     char* const start = memory.data() + first;
     JsonText json(start + kGlbTextAt);
     write_json(model, json, {});
     std::fill(start + kGlbTextAt + json.bytes(), start + kGlbTextAt + text, ' ');
     write_glb_heads(start, text, model.bytes);
-    memory.resize(data + model.bytes);
     return {std::move(memory), first};
 }
 
@@ -169,10 +169,10 @@ File packed_file(Document& document, const ForEach& for_each, const std::stop_to
         if (!stop.stop_requested()) lengths[i] = encode(contents[i], elements[i], views.subspan(starts[i], rooms[i]));
     });
     lay_out(model, elements, lengths);
-    close_up(model, rooms, views.data());
+    close_up(model, starts, views);
     memory::give_back(std::move(model.memory));
     memory::give_back(std::move(quantized.memory));
-    return with_heads(model, std::move(memory), data);
+    return with_heads(model, std::move(memory));
 }
 
 }  // namespace tuftwave::server::gltf

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gltf/packed_order.hpp"
 #include "tuftwave/tuft.hpp"
 
 namespace tuftwave::server::gltf {
@@ -50,7 +51,9 @@ std::vector<std::uint32_t> tubes(std::size_t count, int rings, int sides) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t first = all.size();
         all.resize(first + plan.index_count());
-        write_indices(plan, std::span(all).subspan(first), static_cast<std::uint32_t>(i * plan.vertex_count()));
+        const auto part = std::span(all).subspan(first);
+        write_indices(plan, part, static_cast<std::uint32_t>(i * plan.vertex_count()));
+        order_for_packing(part, sides);
     }
     return all;
 }
