@@ -18,6 +18,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Numbers in an element of an accessor that is no matrix.
+std::size_t width_of(const Json& accessor) {
+    const std::string type = accessor["type"];
+    return type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+}
+
 /// A GLB, its packed views unpacked as a reader does it.
 struct Read {
     Json json;
@@ -30,7 +36,7 @@ struct Read {
         const std::size_t size = said["componentType"] == 5126 || said["componentType"] == 5125 ? 4
                                  : said["componentType"] == 5123                                ? 2
                                                                                                 : 1;
-        const std::size_t width = said["type"] == "SCALAR" ? 1 : said["type"].get<std::string>()[3] - '0';
+        const std::size_t width = width_of(said);
         const std::size_t stride = json["bufferViews"][view].value("byteStride", size * width);
         const char* const at =
             views[view].data() + said.value("byteOffset", std::size_t{0}) + stride * element + size * k;
@@ -102,7 +108,7 @@ TEST(PackedFile, HoldsTheVerticesOfThePlainOne) {
                 ASSERT_EQ(is, was);  // the same accessors
                 for (const auto& [name, accessor] : was["attributes"].items()) {
                     const Json& said = plain.json["accessors"][accessor.get<std::size_t>()];
-                    const std::size_t count = said["count"], width = said["type"].get<std::string>()[3] - '0';
+                    const std::size_t count = said["count"], width = width_of(said);
                     for (std::size_t i = 0; i < count; ++i) {
                         double sum = 0;
                         for (std::size_t k = 0; k < width; ++k) {
@@ -130,7 +136,7 @@ std::vector<std::array<double, 3>> triangles_of(const Read& file, const Json& in
         file.json["accessors"][indices.get<std::size_t>()]["count"].get<std::size_t>() / 3);
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) all[i][k] = file.number(indices, 3 * i + k, 0);
-        std::ranges::rotate(all[i], std::ranges::min_element(all[i]));
+        std::rotate(all[i].begin(), std::min_element(all[i].begin(), all[i].end()), all[i].end());
     }
     std::ranges::sort(all);
     return all;
