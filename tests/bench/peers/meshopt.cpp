@@ -2,7 +2,7 @@
 //
 //   tuftwave_bench_meshopt FOLDER      with w1.json and w2.json
 //
-// What the service makes of it is to print meshopt/tuftwave and meshopt_size/tuftwave (tests/bench/ours).
+// What the service makes of it prints meshopt/tuftwave and meshopt_size/tuftwave (tests/bench/ours).
 #include <meshoptimizer.h>
 
 #include <cstdint>
