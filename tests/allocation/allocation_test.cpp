@@ -189,6 +189,7 @@ const std::vector<Case> kCases{
     {"/v1/hairstyles", "", "api/examples/hairstyles.json"},
     {"/v1/hairstyles", "format=json", "api/examples/hairstyles.json"},
     {"/v1/hairstyles", "clip=flip_book", "api/examples/hairstyles.json"},
+    {"/v1/hairstyles", "compression=meshopt", "api/examples/hairstyles.json"},
     {"/v1/motions", "", "api/examples/motions.json"},
     {"/v1/motions", "format=glb", "api/examples/motions.json"},
     {"/v1/motions", "format=xdts", "api/examples/motions.json"},

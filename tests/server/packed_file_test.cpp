@@ -177,6 +177,17 @@ TEST(PackedFile, IsTheSameForAnyNumberOfWorkers) {
     }
 }
 
+TEST(PackedFile, EndsWhereItIsToldToStop) {
+    Request request = json_post("/v1/tufts", hair("merged", false).dump());
+    request.query = {{"compression", "meshopt"}};
+    std::stop_source source;
+    source.request_stop();
+    const Answer answer = answer_to(request, source.get_token());  // which nobody will see
+    if (const auto* const response = std::get_if<Response>(&answer)) {
+        EXPECT_EQ(response->content().substr(0, 4), "glTF");
+    }
+}
+
 TEST(PackedFile, IsShorter) {
     Json body = hair("merged", false);
     body["mesh"]["rings"] = 4'096;  // indices of four bytes, too
