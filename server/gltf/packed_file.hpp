@@ -7,7 +7,7 @@
 
 namespace tuftwave::server::gltf {
 
-/// Writes a filled document as a GLB of a quarter of the bytes, for readers that know KHR_mesh_quantization and
+/// Writes a filled document as a GLB of a quarter to a third of the bytes, for readers that know KHR_mesh_quantization and
 /// EXT_meshopt_compression. The document is used up.
 /// @param document  of hair, as quantize() has it; allocated as a GLB
 ///
