@@ -193,9 +193,10 @@ TUFTWAVE_BODY void write_rotations(Rows& of, std::size_t first, std::size_t pict
         out[i] = {turns[4 * i], turns[4 * i + 1], turns[4 * i + 2], turns[4 * i + 3]};
 }
 
-/// @param out  with room for a lane's bones behind the last; what is written past a picture's is written over by the
-/// next
-TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Vec3& axis, Quat* out) {
+/// @param out   what is written past a picture's rotations is written over by the next
+/// @param room  for one picture in whole lanes, where they would pass the end of all
+TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Vec3& axis, std::span<Quat> out,
+                               std::span<Quat> room) {
     // k: spatial period, s: lightness
     const double k = wave.spatial_period, s = wave.lightness;
     for (std::size_t first = 0; first < of.bones; first += kLanes) write_circles(of, first, axis);
@@ -203,8 +204,11 @@ TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Ve
     write_sincos(of.phase(), 1, of.pictures, of.phase_sine(), of.phase_cosine());
     for (std::size_t first = 0; first < of.bones; first += kLanes) write_angles(of, first, 1 / s, shift);
     for (std::size_t n = 0; n < of.pictures; ++n) {
+        Quat* const place = &out[n * (of.bones + 1)];
+        const bool fits = n * (of.bones + 1) + room.size() <= out.size();
         for (std::size_t first = 0; first < of.bones; first += kLanes)
-            write_rotations(of, first, n, out + n * (of.bones + 1) + first);
+            write_rotations(of, first, n, (fits ? place : room.data()) + first);
+        if (!fits) std::copy_n(room.begin(), of.bones, place);
     }
 }
 
@@ -216,9 +220,8 @@ std::vector<Quat> swing(const Chain& chain, const Laying& laying, const Wave& wa
     Rows rows(nodes - 1, phases);
     write_line(chain, wave, rows);
     write_lifted(chain, laying, rows);
-    std::vector<Quat> rotations(count + kLanes);
-    run_with<write_chain>(vectors, rows, wave, shift, laying.axis(), rotations.data());
-    rotations.resize(count);
+    std::vector<Quat> rotations(count), room(in_lanes(nodes - 1));
+    run_with<write_chain>(vectors, rows, wave, shift, laying.axis(), rotations, room);
 
     Quat tip = normalized(chain.rest_rotations.back());
     if (tip.w < 0) tip = -tip;

@@ -31,20 +31,27 @@ Json warnings(const Upload& upload, const CharacterSettings& settings, const Mov
     return warnings;
 }
 
-std::string poses_json(const Upload& upload, const CharacterSettings& settings, const MovedCharacter& moved,
-                       const Context& context) {
+/// All of an answer but its poses.
+std::string text_without_poses(const Upload& upload, const CharacterSettings& settings, const MovedCharacter& moved,
+                               const Context& context) {
     Json chains = Json::array();
     for (const std::size_t index : moved.indices) chains.push_back(found_chain_json(upload, index));
-    const Json frame{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
-                     {"schedule", schedule_json(moved.motion.schedule)},
-                     {"chains", std::move(chains)},
-                     {"pictures", nullptr},
-                     {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
-                     {"warnings", warnings(upload, settings, moved)}};
+    return Json{{"facing", upload.character.faces_minus_z ? "-Z" : "+Z"},
+                {"schedule", schedule_json(moved.motion.schedule)},
+                {"chains", std::move(chains)},
+                {"pictures", nullptr},
+                {"quality", quality_json(moved.chains, settings.motion.wave, moved.motion, context.stop)},
+                {"warnings", warnings(upload, settings, moved)}}
+        .dump();
+}
+
+std::string poses_json(const Upload& upload, const CharacterSettings& settings, const MovedCharacter& moved,
+                       const Context& context) {
+    const std::string text = text_without_poses(upload, settings, moved, context);
     const std::vector<ChainPoses> poses =
         character_poses(upload, moved.found, moved.chains, moved.motion, context.stop);
     if (context.stop.stop_requested()) return "";
-    return text_with_poses(frame, poses, static_cast<std::size_t>(moved.motion.schedule.pictures));
+    return text_with_poses(text, poses, static_cast<std::size_t>(moved.motion.schedule.pictures));
 }
 
 /// What the bones are called in the file: tools that have the same model find them by that.

@@ -116,9 +116,11 @@ std::string report_text(const HairRequest& hair, const HairPlan& plan, const std
     for (const FillReport& fill : plan.fills) report["fills"].push_back(fill_report_json(fill));
     report["warnings"] = warnings_json(schedule, plan.fills);
     if (schedule == nullptr) return report.dump();
+    const std::string text = report.dump();
+    report = nullptr;
     const std::vector<ChainPoses> poses = chain_poses(plan.chains, *plan.motion, stop);
     if (stop.stop_requested()) return "";
-    return text_with_poses(report, poses, static_cast<std::size_t>(schedule->pictures));
+    return text_with_poses(text, poses, static_cast<std::size_t>(schedule->pictures));
 }
 
 /// The drawn tufts are one block, and those of each fill another.

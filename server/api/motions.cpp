@@ -80,13 +80,13 @@ Result<HairMotion> move(MotionRequest& request, Format format, const Context& co
 }
 
 std::string answer_json(const MotionRequest& request, const HairMotion& motion, const std::stop_token& stop) {
-    const Json frame{{"schedule", schedule_json(motion.schedule)},
-                     {"pictures", nullptr},
-                     {"quality", quality_json(request.chains, request.motion.wave, motion, stop)},
-                     {"warnings", warnings_json(&motion.schedule)}};
+    const Json answer{{"schedule", schedule_json(motion.schedule)},
+                      {"pictures", nullptr},
+                      {"quality", quality_json(request.chains, request.motion.wave, motion, stop)},
+                      {"warnings", warnings_json(&motion.schedule)}};
     const std::vector<ChainPoses> poses = chain_poses(request.chains, motion, stop);
     if (stop.stop_requested()) return "";
-    return text_with_poses(frame, poses, static_cast<std::size_t>(motion.schedule.pictures));
+    return text_with_poses(answer.dump(), poses, static_cast<std::size_t>(motion.schedule.pictures));
 }
 
 gltf::File clip_bytes(const MotionRequest& request, const HairMotion& motion, Format format, gltf::Holding holding) {

@@ -78,27 +78,27 @@ std::vector<ChainPoses> chain_poses(std::span<const Chain> chains, const HairMot
     return made;
 }
 
-std::string text_with_poses(const nlohmann::ordered_json& answer, std::span<const ChainPoses> chains,
-                            std::size_t pictures) {
+std::string text_with_poses(const std::string& answer, std::span<const ChainPoses> chains, std::size_t pictures) {
     static constexpr std::string_view kPlace = "\"pictures\":null";  // in texts, quotes have backslashes
-    const std::string frame = answer.dump();
-    const std::size_t at = frame.find(kPlace);
-    if (at == std::string::npos) return frame;
+    const std::size_t at = answer.find(kPlace);
+    if (at == std::string::npos) return answer;
     std::vector<std::string> names;
-    std::size_t most = frame.size() + 16;
+    std::size_t most = answer.size() + 16;
     for (const ChainPoses& chain : chains) {
         names.push_back(nlohmann::json(chain.name).dump());
         most += pictures * (names.back().size() + kChainBytes) + chain.poses.size() * kPoseBytes;
     }
     most += pictures * kChainBytes;
-    std::string text = memory::take_buffer(0, most);  // room that stays unused costs nothing, growing costs a copy
-    text.append(frame, 0, at).append("\"pictures\":[");
+    memory::free_idle_buffers(std::chrono::seconds(0));  // what waits to be used again must not come on top of this
+    std::string text;
+    text.reserve(most);  // room that stays unused costs nothing, growing costs a copy
+    text.append(answer, 0, at).append("\"pictures\":[");
     for (std::size_t n = 0; n < pictures; ++n) {
         if (n > 0) text += ',';
         append_picture(text, chains, names, n);
     }
     text += ']';
-    text.append(frame, at + kPlace.size());
+    text.append(answer, at + kPlace.size());
     return text;
 }
 

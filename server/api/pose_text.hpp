@@ -33,8 +33,7 @@ std::vector<ChainPoses> chain_poses(std::span<const Chain> chains, const HairMot
 
 /// The text of an answer whose member "pictures" is null, with the poses in its place. They would be ten times as large
 /// as JSON values, half a million nodes 600 MiB.
-/// @param answer  no other member of that name is null
-std::string text_with_poses(const nlohmann::ordered_json& answer, std::span<const ChainPoses> chains,
-                            std::size_t pictures);
+/// @param answer  text, since its values may be many, too; no other member of that name is null
+std::string text_with_poses(const std::string& answer, std::span<const ChainPoses> chains, std::size_t pictures);
 
 }  // namespace tuftwave::server

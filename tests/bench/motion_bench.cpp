@@ -85,7 +85,7 @@ void pose_text_w2(benchmark::State& state) {
     const nlohmann::ordered_json frame{{"pictures", nullptr}};
     for (auto _ : state) {
         const std::vector<ChainPoses> poses = chain_poses(chains, motion, {});
-        benchmark::DoNotOptimize(text_with_poses(frame, poses, 12));
+        benchmark::DoNotOptimize(text_with_poses(frame.dump(), poses, 12));
     }
     count_node_poses(state);
 }

@@ -17,7 +17,7 @@ TEST(PoseText, PutsPosesInThePlaceOfPictures) {
         R"("rotations":[[0.0,0.0,0.0,1.0]],"turns":[[0.0,0.0,0.0,1.0]],"positions":[[0.0,0.0,0.0]]})";
     const std::string turned =
         R"("rotations":[[0.0,0.5,0.0,1.0]],"turns":[[0.0,0.0,0.0,1.0]],"positions":[[0.1,1.0,-2.0]]})";
-    EXPECT_EQ(text_with_poses(frame, chains, 2),
+    EXPECT_EQ(text_with_poses(frame.dump(), chains, 2),
               R"({"name":"\"pictures\":null","pictures":[{"chains":[{"name":"x\"",)" + turned + R"(,{"name":"y",)" +
                   at_rest + R"(]},{"chains":[{"name":"x\"",)" + at_rest + R"(,{"name":"y",)" + turned +
                   R"(]}],"z":1})");

@@ -29,9 +29,9 @@ void measure_motion(const Workloads& workloads) {
     const auto poses = server::chain_poses(chains, motion, {});
     const auto pictures = static_cast<std::size_t>(motion.schedule.pictures);
     const nlohmann::ordered_json frame{{"pictures", nullptr}};
-    measure("pose_text/tuftwave", [&] { sent({server::text_with_poses(frame, poses, pictures)}); });
-    print_value("pose_text_bytes/tuftwave", static_cast<double>(server::text_with_poses(frame, poses, pictures).size()),
-                "B");
+    measure("pose_text/tuftwave", [&] { sent({server::text_with_poses(frame.dump(), poses, pictures)}); });
+    print_value("pose_text_bytes/tuftwave",
+                static_cast<double>(server::text_with_poses(frame.dump(), poses, pictures).size()), "B");
     print_value("w2_bytes/tuftwave", static_cast<double>(clip(chains, twos).bytes().size()), "B");
 }
 
