@@ -12,10 +12,7 @@
 namespace tuftwave::server::gltf {
 namespace {
 
-constexpr std::size_t kAlignment = 4;
 constexpr std::size_t kStart = 64;  // bytes that the buffer's place in memory is a multiple of
-
-std::size_t aligned(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 
 std::size_t base64_bytes(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 

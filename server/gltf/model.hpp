@@ -85,6 +85,9 @@ std::size_t width_of(Document::Shape shape);
 /// write it only to count takes as long as to write it.
 std::size_t most_json_bytes(const Document::Model& model);
 
+/// Bytes that something takes with the room behind it, so that what follows begins at a multiple of 4.
+constexpr std::size_t aligned(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
 constexpr std::size_t kGlbTextAt = 12 + 8;         ///< where a GLB's JSON begins
 constexpr std::size_t kGlbHeads = kGlbTextAt + 8;  ///< bytes of a GLB that are neither JSON nor its buffer
 

@@ -25,8 +25,6 @@ struct Elements {
     std::size_t vertices = 0;  ///< that indices count
 };
 
-std::size_t aligned(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
-
 std::size_t place(int index) { return static_cast<std::size_t>(index); }
 
 /// Gives each list of indices a view of its own, since a packed view is nothing but triangles of one kind.
