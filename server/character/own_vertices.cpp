@@ -56,8 +56,8 @@ void add_vertices(const SkinnedVertices& vertices, const Skin& skin, const std::
     for (std::size_t v = 0; v < vertices.positions.count(); ++v) {
         for (std::size_t i = 0; i < 4; ++i) {
             const double joint = vertices.joints.number(v, i);
-            if (!(vertices.weights.number(v, i) > kOwnWeight) || !(joint < static_cast<double>(skin.joints.size())))
-                continue;
+            const bool is_joint = joint >= 0 && joint < static_cast<double>(skin.joints.size());  // files may be signed
+            if (!is_joint || !(vertices.weights.number(v, i) > kOwnWeight)) continue;
             const auto slot = static_cast<std::size_t>(joint);
             const auto node = static_cast<std::size_t>(skin.joints[slot]);
             const Vec3 place = transformed(

@@ -11,6 +11,7 @@ found, else 1.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import subprocess
 import sys
@@ -23,6 +24,7 @@ import seeds  # noqa: E402
 REGRESSIONS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "regressions")
 LIMITS = ["-timeout=10", "-rss_limit_mb=2048"]
 STARTS_S = 60  # what may go by before and after the time that is given
+MINIMIZES_S = 30  # for each input that was found
 MOST_BYTES = {"request": 20_000, "json": 4_096, "query": 2_048, "poses": 512, "sheets": 512, "glb": 60_000, "characters_chains": 60_000,
               "characters_motion": 60_000}
 
@@ -58,8 +60,10 @@ def merge(program: str, target: str, folder: str) -> None:
 def minimize(program: str, target: str, folder: str) -> None:
     for name in files_in(os.path.join(folder, "found")):
         if os.path.basename(name).startswith(("crash-", "leak-")) and not name.endswith(".small"):
-            subprocess.run([program, f"--target={target}", "-minimize_crash=1", "-max_total_time=60", *LIMITS, f"-exact_artifact_path={name}.small", name],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+            with contextlib.suppress(subprocess.TimeoutExpired):  # it starts itself again and again, for that long each time
+                subprocess.run([program, f"--target={target}", "-minimize_crash=1", f"-max_total_time={MINIMIZES_S}", *LIMITS,
+                                f"-exact_artifact_path={name}.small", name],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=MINIMIZES_S, check=False)
 
 
 def fuzz(program: str, target: str, work: str, seconds: int, is_long: bool) -> bool:

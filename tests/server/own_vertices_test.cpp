@@ -80,6 +80,13 @@ TEST(OwnVertices, OfUnskinnedMeshesAndForeignJointsAreNobodys) {
     EXPECT_EQ(found_in(bare)[1].count, 0U);
 }
 
+TEST(OwnVertices, OfJointsBelowNoneAreNobodys) {
+    Sample sample = two_joints();
+    sample.add_vertices(0, 0xBD, {{0.1, 0, 0}});
+    sample.json["accessors"][1]["componentType"] = kByte;
+    EXPECT_EQ(found_in(sample)[0].count + found_in(sample)[1].count, 0U) << "the slot is -67";
+}
+
 TEST(OwnVertices, ThatAreNoNumbersAreLeftOut) {
     Sample sample = two_joints();
     const float odd = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
