@@ -13,15 +13,20 @@ constexpr std::size_t kSide = 24;
 
 using Sides = std::array<float, kSide>;
 
-/// @param at  becomes how many numbers were looked at: all but less than kSide
-TUFTWAVE_BODY void look(std::span<const float> points, Sides& least, Sides& most, std::size_t& at) {
-    for (at = 0; at + kSide <= points.size(); at += kSide) {
+/// @param looked  becomes how many numbers were looked at: all but less than kSide
+TUFTWAVE_BODY void look(std::span<const float> points, Sides& least_found, Sides& most_found, std::size_t& looked) {
+    Sides least = least_found, most = most_found;  // stay in registers, since no point can be among them
+    std::size_t at = 0;
+    for (; at + kSide <= points.size(); at += kSide) {
         for (std::size_t k = 0; k < kSide; ++k) {
             const float value = points[at + k];
             least[k] = value < least[k] ? value : least[k];
             most[k] = value > most[k] ? value : most[k];
         }
     }
+    least_found = least;
+    most_found = most;
+    looked = at;
 }
 
 }  // namespace
