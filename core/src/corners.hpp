@@ -8,18 +8,20 @@
 
 namespace tuftwave {
 
-/// Sine and cosine of each corner of a ring, counter-clockwise about the tangent.
+/// Sine and cosine of each corner of a ring, counter-clockwise about the tangent. Behind the last one they start again,
+/// kMostSides in all, so that loops can take whole vectors.
 class Corners {
   public:
     explicit Corners(int sides = 3) : count_(static_cast<std::size_t>(sides)) {
-        for (std::size_t j = 0; j < count_; ++j) {
-            const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j) / sides);
+        for (std::size_t j = 0; j < kMostSides; ++j) {
+            const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j % count_) / sides);
             sines_[j] = sine;
             cosines_[j] = cosine;
         }
     }
 
     std::size_t count() const { return count_; }
+    std::size_t padded() const { return (count_ + 15) / 16 * 16; }
     const double* sines() const { return sines_.data(); }
     const double* cosines() const { return cosines_.data(); }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "corners.hpp"
+#include "quick_surface.hpp"
 #include "surface.hpp"
 #include "tuftwave/tuft.hpp"
 #include "tuftwave/wide.hpp"
@@ -22,25 +23,13 @@ class TuftMesher {
 
     void write() {
         write_apex(plan_.root, plan_.root_direction, 0);
-        RingCorners rows[3];
-        RingCorners *before = &rows[0], *here = &rows[1], *after = &rows[2];
-        before->gather(plan_.root);
-        stand(*here, 0);
-        for (std::size_t i = 0; i < plan_.rings.size(); ++i) {
-            if (i + 1 < plan_.rings.size()) {
-                stand(*after, i + 1);
-            } else if (plan_.flat_tip) {
-                *after = *here;
-            } else {
-                after->gather(plan_.tip);
-            }
-            write_corners(plan_.rings[i], corners_, {*before, *here, *after}, vectors_, row(out_.positions, 3),
-                          row(out_.normals, 3));
-            finish_row(plan_.rings[i].along);
-            RingCorners* const passed = std::exchange(before, std::exchange(here, after));
-            after = passed;
-        }
-        if (plan_.flat_tip) write_cap(*before);
+        const std::size_t numbers = 3 * plan_.rings.size() * (corners_.count() + 1);
+        const std::span<float> positions = out_.positions.subspan(3 * next_, numbers);
+        const std::span<float> normals = out_.normals.subspan(3 * next_, numbers);
+        for (const std::size_t ring : write_surface_quickly(plan_, vectors_, positions, normals))
+            write_left_ring(ring, positions, normals);
+        for (const Ring& ring : plan_.rings) finish_row(ring.along);
+        if (plan_.flat_tip) write_cap();
         write_apex(plan_.tip, plan_.tip_direction, 1);
     }
 
@@ -51,11 +40,26 @@ class TuftMesher {
         return all.subspan(width * next_, width * (corners_.count() + 1));
     }
 
-    void stand(RingCorners& to, std::size_t ring) const {
-        const std::size_t sides = corners_.count();
+    /// @param ring  below 0 and behind the last: what the surface ends in
+    RingCorners standing(std::ptrdiff_t ring) const {
+        RingCorners to;
+        const auto last = static_cast<std::ptrdiff_t>(plan_.rings.size()) - 1;
+        if (ring < 0 || (ring > last && !plan_.flat_tip)) {
+            to.gather(ring < 0 ? plan_.root : plan_.tip);
+            return to;
+        }
+        const std::size_t sides = corners_.count(), at = static_cast<std::size_t>(std::min(ring, last));
         std::span<const float> reach = plan_.reach;
-        if (!reach.empty()) reach = reach.subspan(ring * sides, sides);
-        to.stand(plan_.rings[ring], corners_, reach, vectors_);
+        if (!reach.empty()) reach = reach.subspan(at * sides, sides);
+        to.stand(plan_.rings[at], corners_, reach, vectors_);
+        return to;
+    }
+
+    void write_left_ring(std::size_t ring, std::span<float> positions, std::span<float> normals) const {
+        const auto at = static_cast<std::ptrdiff_t>(ring);
+        const std::size_t row = 3 * (corners_.count() + 1);
+        write_corners(plan_.rings[ring], corners_, {standing(at - 1), standing(at), standing(at + 1)}, vectors_,
+                      positions.subspan(ring * row, row), normals.subspan(ring * row, row));
     }
 
     static void put(std::span<float> to, const Vec3& v) {
@@ -73,12 +77,13 @@ class TuftMesher {
         ++next_;
     }
 
-    /// The ring before it once more, looking the way that the tip does.
-    void write_cap(const RingCorners& ring) {
-        for (std::size_t column = 0; column <= corners_.count(); ++column) {
-            put(out_.positions.subspan(3 * (next_ + column)), ring[column == corners_.count() ? 0 : column]);
+    /// The last ring once more, looking the way that the tip does.
+    void write_cap() {
+        const std::size_t row = 3 * (corners_.count() + 1);
+        const auto positions = out_.positions.begin() + static_cast<std::ptrdiff_t>(3 * next_);
+        std::copy(positions - static_cast<std::ptrdiff_t>(row), positions, positions);
+        for (std::size_t column = 0; column <= corners_.count(); ++column)
             put(out_.normals.subspan(3 * (next_ + column)), plan_.tip_direction);
-        }
         finish_row(1);
     }
 

@@ -4,6 +4,9 @@
 #include "unfold.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 #include "bezier.hpp"
 #include "corners.hpp"
@@ -19,6 +22,10 @@ constexpr double kFadeSlope = 1.0;
 /// Rings that a bridge looks ahead at most, which bounds the work.
 constexpr std::size_t kBridgedRings = 64;
 
+TUFTWAVE_BODY double widest(const Ring& ring) {
+    return ring.half_width < ring.half_thickness ? ring.half_thickness : ring.half_width;
+}
+
 /// From one ring to the next.
 struct Pair {
     Vec3 forwards;   // unit; the mean tangent, or the straight way where the tangents turn away from it
@@ -33,151 +40,164 @@ struct Pair {
     }
 };
 
-/// A ring, and what lies between it and the one before.
+/// Whether a corner may fall back between two rings; quicker than looking at each. With the angle between the tangents
+/// the centre loses at least as much of its advance as the corners lose of theirs.
+bool may_fold(const Ring& a, const Ring& b) {
+    const Vec3 tangents = a.frame.tangent + b.frame.tangent, turn = b.frame.tangent - a.frame.tangent;
+    const double advance = (1 - kLeastAdvance) * dot(b.frame.point - a.frame.point, tangents);
+    const double width = widest(a) + widest(b);
+    return !(advance > 0 && width * width * dot(turn, turn) <= advance * advance);
+}
+
+/// Ring `ring` and the one before it.
 struct Fold {
     std::size_t ring;
     Pair pair;
 };
 
-/// What is known of all pairs of neighbouring rings before any corner is looked at.
-struct Spacing {
-    std::vector<double> distances;  // of the centres, metres
-    std::vector<Fold> folds;        // where a corner may fall back; quicker than looking at each
+/// The rings around all folds, as far as a cut can fade, with a row of corners for each.
+struct Window {
+    std::span<const Ring> rings;
+    std::span<const Fold> folds;  // counted from the window's first ring
+    const Corners& corners;
+    std::vector<double> distances;            // to the next ring's centre, metres
+    std::vector<double> sizes, cuts, bridged;  // of each corner from the centre; taken off that; likewise with bridges
+
+    std::size_t row() const { return corners.padded(); }
 };
 
-TUFTWAVE_BODY double most_lost(const Ring& ring, const Vec3& forwards) {
-    const double widest = ring.half_width < ring.half_thickness ? ring.half_thickness : ring.half_width;
-    return widest * length(rejected(forwards, ring.frame.tangent));
-}
+TUFTWAVE_BODY double larger(double a, double b) { return a > b ? a : b; }
+TUFTWAVE_BODY double smaller(double a, double b) { return a < b ? a : b; }
 
-TUFTWAVE_BODY void look_at_pairs(std::span<const Ring> rings, std::span<double> distances, std::span<double> folds) {
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-        const Pair pair(rings[i], rings[i + 1]);
-        distances[i] = length(rings[i + 1].frame.point - rings[i].frame.point);
-        const double lost = most_lost(rings[i], pair.forwards) + most_lost(rings[i + 1], pair.forwards);
-        folds[i] = lost <= (1 - kLeastAdvance) * pair.advance ? 0.0 : 1.0;
-    }
-}
-
-Spacing spacing_of(std::span<const Ring> rings, Vectors vectors) {
-    Spacing spacing{std::vector<double>(rings.size() - 1), {}};
-    std::vector<double> folds(spacing.distances.size());
-    run_with<look_at_pairs>(vectors, rings, spacing.distances, folds);
-    for (std::size_t i = 0; i < folds.size(); ++i) {
-        if (folds[i] != 0) spacing.folds.push_back({i + 1, Pair(rings[i], rings[i + 1])});
-    }
-    return spacing;
-}
-
-/// One corner of every ring, root to tip.
-class Column {
-  public:
-    Column(std::span<const Ring> rings, const Spacing& spacing, const Corners& corners)
-        : rings_(rings), spacing_(spacing), corners_(corners), cut_(rings.size(), 0.0), bridged_(rings.size(), 0.0) {}
-
-    /// Decides how many metres are taken off the corner's distance from the centre line: from `first` to `end`.
-    void cut(std::size_t corner) {
-        corner_ = corner;
-        std::fill(cut_.begin() + at(first), cut_.begin() + at(end), 0.0);
-        first = end = 0;
-        for (const auto& [ring, pair] : spacing_.folds) cut_pair(ring, pair);
-        if (end == 0) return;
-        bridge();
-        for (std::size_t i = first + 1; i < rings_.size() && (i < end || cut_[i - 1] > 0); ++i) fade(i - 1, i);
-        for (std::size_t i = end - 1; i > 0 && (i > first || cut_[i] > 0); --i) fade(i, i - 1);
-    }
-
-    std::size_t first = 0, end = 0;  ///< the rings where the corner is cut
-
-    double share_left(std::size_t ring) const {
-        if (!(cut_[ring] > 0)) return 1;
-        const double size = reach(ring);
-        return size > 0 ? std::max(0.0, 1 - cut_[ring] / size) : 1;
-    }
-
-  private:
-    Vec3 offset(std::size_t ring) const { return corners_.offset(rings_[ring], corner_); }
-    double reach(std::size_t ring) const { return length(offset(ring)); }
-
-    void cut_pair(std::size_t i, const Pair& pair) {
-        if (!(pair.advance > 0)) return cut_whole(i);
-        const Vec3 before = offset(i - 1), here = offset(i);
-        const double lost = std::max(0.0, dot(before, pair.forwards)) + std::max(0.0, -dot(here, pair.forwards));
-        const double allowed = (1 - kLeastAdvance) * pair.advance;
-        if (lost <= allowed) return;
-        cut_[i - 1] = std::max(cut_[i - 1], (1 - allowed / lost) * length(before));
-        cut_[i] = std::max(cut_[i], (1 - allowed / lost) * length(here));
-        include(i - 1, i + 1);
-    }
-
-    void cut_whole(std::size_t i) {
-        for (const std::size_t ring : {i - 1, i}) cut_[ring] = reach(ring);
-        include(i - 1, i + 1);
-    }
-
-    void include(std::size_t from, std::size_t to) {
-        first = end == 0 ? from : std::min(first, from);
-        end = std::max(end, to);
-    }
-
-    /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a
-    /// fin: it stays cut as far as the lesser of the deepest cuts before and after.
-    void bridge() {
-        std::copy(cut_.begin() + at(first), cut_.begin() + at(end), bridged_.begin() + at(first));
-        for (std::size_t i = first; i < end; ++i) {
-            const double span = reach(i);
-            const double before = deepest_cut(i, span, Towards::kRoot), after = deepest_cut(i, span, Towards::kTip);
-            bridged_[i] = std::max(cut_[i], std::min(before, after));
+TUFTWAVE_BODY void measure_corners(Window& window) {
+    const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
+    for (std::size_t i = 0; i < window.rings.size(); ++i) {
+        const double thickness = window.rings[i].half_thickness, width = window.rings[i].half_width;
+        double* const sizes = &window.sizes[i * window.row()];
+        for (std::size_t k = 0; k < window.row(); ++k) {
+            const double up = thickness * cosines[k], across = width * sines[k];
+            sizes[k] = std::sqrt(up * up + across * across);
         }
-        std::copy(bridged_.begin() + at(first), bridged_.begin() + at(end), cut_.begin() + at(first));
     }
+}
 
-    enum class Towards { kRoot, kTip };
-
-    /// The deepest cut from ring `i` on. @param span  how far is looked, metres: as the corner there is from the middle
-    double deepest_cut(std::size_t i, double span, Towards side) const {
-        const std::size_t rings_there = side == Towards::kTip ? cut_.size() - 1 - i : i;
-        double deepest = cut_[i], walked = 0;
-        std::size_t at = i;
-        for (std::size_t k = 0; k < std::min(rings_there, kBridgedRings); ++k) {
-            const std::size_t next = side == Towards::kTip ? at + 1 : at - 1;
-            walked += spacing_.distances[std::min(at, next)];
-            if (walked > span) break;
-            deepest = std::max(deepest, cut_[next]);
-            at = next;
+/// Cuts every corner back just so far that it runs forwards from ring to ring.
+TUFTWAVE_BODY void cut_folds(Window& window) {
+    const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
+    for (const auto& [ring, pair] : window.folds) {
+        const CurveFrame &a = window.rings[ring - 1].frame, &b = window.rings[ring].frame;
+        const double a_up = window.rings[ring - 1].half_thickness * dot(a.normal, pair.forwards);
+        const double a_across = window.rings[ring - 1].half_width * dot(a.binormal(), pair.forwards);
+        const double b_up = window.rings[ring].half_thickness * dot(b.normal, pair.forwards);
+        const double b_across = window.rings[ring].half_width * dot(b.binormal(), pair.forwards);
+        const double allowed = pair.advance > 0 ? (1 - kLeastAdvance) * pair.advance : 0;
+        const double whole = pair.advance > 0 ? 0 : 1;  // where the centre does not advance, no corner may stand off
+        const double *a_sizes = &window.sizes[(ring - 1) * window.row()], *b_sizes = a_sizes + window.row();
+        double *a_cuts = &window.cuts[(ring - 1) * window.row()], *b_cuts = a_cuts + window.row();
+        for (std::size_t k = 0; k < window.row(); ++k) {
+            const double ahead = a_up * cosines[k] + a_across * sines[k], back = b_up * cosines[k] + b_across * sines[k];
+            const double lost = larger(ahead, 0) + larger(-back, 0);
+            const double part = lost > allowed ? 1 - allowed / lost : 0;
+            a_cuts[k] = larger(a_cuts[k], larger(part, whole) * a_sizes[k]);
+            b_cuts[k] = larger(b_cuts[k], larger(part, whole) * b_sizes[k]);
         }
-        return deepest;
     }
+}
 
-    void fade(std::size_t from, std::size_t to) {
-        const double faded = cut_[from] - kFadeSlope * spacing_.distances[std::min(from, to)];
-        if (!(faded > cut_[to])) return;
-        cut_[to] = faded;
-        include(to, to + 1);
+enum class Towards { kRoot, kTip };
+
+/// Raises `deepest` to the deepest cut of each corner from ring `i` on, as far as the corner stands from the centre.
+TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards side, double* deepest) {
+    const std::size_t there = side == Towards::kTip ? window.rings.size() - 1 - i : i, row = window.row();
+    const double *cuts = &window.cuts[i * row], *spans = &window.sizes[i * row];
+    const double furthest = widest(window.rings[i]);
+    for (std::size_t k = 0; k < row; ++k) deepest[k] = cuts[k];
+    double walked = 0;
+    for (std::size_t step = 0; step < std::min(there, kBridgedRings); ++step) {
+        walked += window.distances[side == Towards::kTip ? i + step : i - step - 1];
+        if (walked > furthest) break;
+        cuts = side == Towards::kTip ? cuts + row : cuts - row;
+        for (std::size_t k = 0; k < row; ++k) deepest[k] = larger(deepest[k], walked > spans[k] ? 0 : cuts[k]);
     }
+}
 
-    static std::ptrdiff_t at(std::size_t ring) { return static_cast<std::ptrdiff_t>(ring); }
+/// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a fin:
+/// it stays cut as far as the lesser of the deepest cuts before and after.
+TUFTWAVE_BODY void bridge(Window& window) {
+    const std::size_t from = window.folds.front().ring - 1, to = window.folds.back().ring;
+    std::array<double, kMostSides> before, after;
+    window.bridged = window.cuts;
+    for (std::size_t i = from; i <= to; ++i) {
+        find_deepest(window, i, Towards::kRoot, before.data());
+        find_deepest(window, i, Towards::kTip, after.data());
+        double* const bridged = &window.bridged[i * window.row()];
+        for (std::size_t k = 0; k < window.row(); ++k) bridged[k] = larger(bridged[k], smaller(before[k], after[k]));
+    }
+    std::swap(window.cuts, window.bridged);
+}
 
-    std::span<const Ring> rings_;
-    const Spacing& spacing_;
-    const Corners& corners_;
-    std::size_t corner_ = 0;
-    std::vector<double> cut_, bridged_;
-};
+TUFTWAVE_BODY void fade(Window& window) {
+    const std::size_t row = window.row(), count = window.rings.size();
+    const auto carry = [&](std::size_t from, std::size_t to) {
+        const double lost = kFadeSlope * window.distances[std::min(from, to)];
+        const double* const cuts = &window.cuts[from * row];
+        double* const faded = &window.cuts[to * row];
+        for (std::size_t k = 0; k < row; ++k) faded[k] = larger(faded[k], cuts[k] - lost);
+    };
+    for (std::size_t i = 1; i < count; ++i) carry(i - 1, i);
+    for (std::size_t i = count - 1; i > 0; --i) carry(i, i - 1);
+}
+
+/// @param reach  of the window's rings, one after the other
+TUFTWAVE_BODY void share_left(const Window& window, float* reach) {
+    const std::size_t sides = window.corners.count();
+    for (std::size_t i = 0; i < window.rings.size(); ++i) {
+        const double *cuts = &window.cuts[i * window.row()], *sizes = &window.sizes[i * window.row()];
+        for (std::size_t k = 0; k < sides; ++k)
+            reach[i * sides + k] = static_cast<float>(cuts[k] > 0 ? larger(1 - cuts[k] / sizes[k], 0) : 1);
+    }
+}
+
+TUFTWAVE_BODY void unfold(Window& window, float* reach) {
+    measure_corners(window);
+    cut_folds(window);
+    bridge(window);
+    fade(window);
+    share_left(window, reach);
+}
+
+std::vector<Fold> folds_of(std::span<const Ring> rings) {
+    std::vector<Fold> folds;
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+        if (may_fold(rings[i - 1], rings[i])) folds.push_back({i, Pair(rings[i - 1], rings[i])});
+    }
+    return folds;
+}
+
+double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
 
 }  // namespace
 
 std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
-    const Spacing spacing = spacing_of(rings, vectors);
-    if (spacing.folds.empty()) return {};
+    std::vector<Fold> folds = folds_of(rings);
+    if (folds.empty()) return {};
+    double deepest = 0;  // no cut is deeper, and none fades further
+    for (const Fold& fold : folds) deepest = std::max({deepest, widest(rings[fold.ring - 1]), widest(rings[fold.ring])});
+    std::size_t first = folds.front().ring - 1, last = folds.back().ring;
+    for (double walked = 0; first > 0 && walked <= deepest / kFadeSlope; --first)
+        walked += distance(rings[first - 1], rings[first]);
+    for (double walked = 0; last + 1 < rings.size() && walked <= deepest / kFadeSlope; ++last)
+        walked += distance(rings[last], rings[last + 1]);
+    for (Fold& fold : folds) fold.ring -= first;
+
     const Corners& corners = corners_of(sides);
+    Window window{rings.subspan(first, last + 1 - first), folds, corners, {}, {}, {}, {}};
+    for (std::size_t i = 0; i + 1 < window.rings.size(); ++i)
+        window.distances.push_back(distance(window.rings[i], window.rings[i + 1]));
+    window.sizes.resize(window.rings.size() * window.row());
+    window.cuts.resize(window.sizes.size());
     std::vector<float> reach(rings.size() * corners.count(), 1.0F);
-    Column column(rings, spacing, corners);
-    for (std::size_t j = 0; j < corners.count(); ++j) {
-        column.cut(j);
-        for (std::size_t i = column.first; i < column.end; ++i)
-            reach[i * corners.count() + j] = static_cast<float>(column.share_left(i));
-    }
+    run_with<unfold>(vectors, window, &reach[first * corners.count()]);
     return reach;
 }
 
