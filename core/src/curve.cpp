@@ -51,18 +51,18 @@ Vec3 centripetal_tangent(const Vec3& a, const Vec3& b, const Vec3& c, double d1,
     return kHairpinTangent * usual * any_perpendicular(normalized(b - a));
 }
 
-/// Steps from sample to sample, each as two reflections, which do not depend on the normal that they carry.
-struct Reflections {
+/// Steps from sample to sample.
+struct Steps {
     static constexpr std::size_t kMost = 64;
-    VectorRows<kMost> first, second;                    // what is reflected in
-    alignas(64) std::array<double, kMost> twice_first;  // 2 / its square; 0 reflects nothing
-    alignas(64) std::array<double, kMost> twice_second;
-    alignas(64) std::array<double, kMost> forwards;  // 0 where the step tells nothing
+    using Row = std::array<double, kMost>;
+    VectorRows<kMost> first, second;  // as in bezier::Step
+    alignas(64) Row twice_first, twice_second, coupling;
+    alignas(64) Row forwards;  // 0 where the step tells nothing
     VectorRows<kMost> normals;
 };
 
 template <class Sample>
-TUFTWAVE_BODY void find_reflections(const Sample* samples, std::size_t count, Reflections& to) {
+TUFTWAVE_BODY void find_steps(const Sample* samples, std::size_t count, Steps& to) {
     for (std::size_t k = 0; k < count; ++k) {
         const CurveFrame &from = samples[k].frame, &next = samples[k + 1].frame;
         const bezier::Step step(from.point, from.tangent, next.point, next.tangent);
@@ -70,12 +70,13 @@ TUFTWAVE_BODY void find_reflections(const Sample* samples, std::size_t count, Re
         to.second.set(k, step.second);
         to.twice_first[k] = step.twice_first;
         to.twice_second[k] = step.twice_second;
+        to.coupling[k] = step.coupling;
         to.forwards[k] = step.is_forwards ? 1.0 : 0.0;
     }
 }
 
 template <class Sample>
-TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Reflections& from) {
+TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Steps& from) {
     for (std::size_t k = 0; k < count; ++k) {
         CurveFrame& frame = samples[k + 1].frame;
         const Vec3 upright = rejected(from.normals[k], frame.tangent);  // rounding leaves a trace of tangent
@@ -84,33 +85,50 @@ TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Reflect
     }
 }
 
-/// What the samples of one segment are made of, before anything is known to turn too quickly: tangents at their ends
-/// and halfway between, and the length from one to the next.
-struct FirstSamples {
-    static constexpr std::size_t kHalves = 2 * kFirstSamples;
-    VectorRows<kHalves> velocities;
-    alignas(64) std::array<double, kHalves> speeds;
-    alignas(64) std::array<double, kFirstSamples> arcs;
-};
-
-TUFTWAVE_BODY void take_first_samples(const bezier::Hodograph& curve, FirstSamples& out) {
-    for (std::size_t k = 0; k < FirstSamples::kHalves; ++k) {
-        const Vec3 velocity = curve.derivative(static_cast<double>(k + 1) / FirstSamples::kHalves);
-        out.velocities.set(k, velocity);
-        out.speeds[k] = length(velocity);
-    }
-    for (std::size_t k = 0; k < kFirstSamples; ++k)
-        out.arcs[k] = curve.arc(static_cast<double>(k) / kFirstSamples, static_cast<double>(k + 1) / kFirstSamples);
-}
-
 }  // namespace
 
-Vec3 Curve::Segment::point(double t) const { return bezier::point(b0, b1, b2, b3, t); }
+/// What the samples of some segments are made of, before anything is known to turn too quickly; segments stand side by
+/// side.
+struct Curve::FirstSamples {
+    static constexpr std::size_t kMost = 16, kVector = 4;  // segments
+    static constexpr std::size_t kHalves = 2 * kFirstSamples;
+    using Rows = VectorRows<kMost>;
+    using Row = std::array<double, kMost>;
+    Rows constant, linear, quadratic;                // of the velocities
+    std::array<Rows, kHalves> tangents;              // at the samples and halfway between; not finite at rest
+    alignas(64) std::array<Row, kHalves> speeds;     // likewise
+    alignas(64) std::array<Row, kHalves> turns;      // from the one before, radians; the first one's is not known
+    alignas(64) std::array<Row, kFirstSamples> arcs;  // from sample to sample, metres
 
-bezier::Hodograph Curve::Segment::hodograph() const { return {b1 - b0, b2 - b1, b3 - b2}; }
+    TUFTWAVE_BODY static void take(FirstSamples& s, std::size_t padded) {
+        for (std::size_t half = 0; half < kHalves; ++half) {
+            const double t = static_cast<double>(half + 1) / kHalves;
+            for (std::size_t k = 0; k < padded; ++k) {
+                const Vec3 velocity = s.velocity(k).at(t);
+                const double speed = length(velocity);
+                s.speeds[half][k] = speed;
+                s.tangents[half].set(k, velocity / speed);
+            }
+        }
+        for (std::size_t half = 1; half < kHalves; ++half) {
+            for (std::size_t k = 0; k < padded; ++k)
+                s.turns[half][k] = length(s.tangents[half][k] - s.tangents[half - 1][k]);
+        }
+        for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
+            const double from = static_cast<double>(piece) / kFirstSamples;
+            for (std::size_t k = 0; k < padded; ++k) s.arcs[piece][k] = s.velocity(k).arc(from, from + 1.0 / kFirstSamples);
+        }
+    }
+
+    TUFTWAVE_BODY bezier::Velocity velocity(std::size_t k) const { return {constant[k], linear[k], quadratic[k]}; }
+};
+
+bezier::Velocity Curve::Segment::velocity() const { return {constant, linear, quadratic}; }
+
+Vec3 Curve::Segment::point(double t) const { return t == 1 ? end : start + velocity().way_to(t); }
 
 double Curve::Segment::parameter(double t0, double t1, double wanted, double whole) const {
-    const bezier::Hodograph curve = hodograph();
+    const bezier::Velocity curve = velocity();
     double low = t0, high = t1, t = t0 + wanted / whole * (t1 - t0);
     for (int step = 0; step < kMostNewtonSteps; ++step) {
         const double beyond = curve.arc(t0, t) - wanted;
@@ -125,7 +143,7 @@ double Curve::Segment::parameter(double t0, double t1, double wanted, double who
 Curve::Curve(std::span<const Vec3> points, Vectors vectors) : vectors_(vectors) {
     make_segments(merged(points));
     samples_.reserve(segments_.size() * kUsualSamples);
-    for (std::size_t i = 0; i < segments_.size(); ++i) measure(i);
+    measure();
     carry_normals();
 }
 
@@ -139,67 +157,82 @@ void Curve::make_segments(std::span<const Vec3> p) {
         const double d = knot(i);
         const Vec3 next =
             i + 1 < last ? centripetal_tangent(p[i], p[i + 1], p[i + 2], d, knot(i + 1)) : (p[last] - p[last - 1]) / d;
-        segments_.push_back({p[i], p[i] + d / 3 * tangent, p[i + 1] - d / 3 * next, p[i + 1]});
+        const auto [constant, linear, quadratic] =
+            bezier::Velocity::of(p[i], p[i] + d / 3 * tangent, p[i + 1] - d / 3 * next, p[i + 1]);
+        segments_.push_back({p[i], p[i + 1], constant, linear, quadratic});
         tangent = next;
     }
 }
 
-void Curve::measure(std::size_t segment) {
-    if (samples_.empty()) {
-        // Where two points are neighbouring doubles, the Bezier points between them coincide.
-        const Vec3 tangent = tangent_at(0, 0, normalized(segments_[0].b3 - segments_[0].b0));
-        samples_.push_back({0, 0, 0, 0, {segments_[0].b0, tangent, any_perpendicular(tangent)}});
-    }
+void Curve::measure() {
+    // Where two points are neighbouring doubles, the Bezier points between them coincide.
+    const auto [tangent, speed] = heading_at(0, 0, normalized(segments_[0].end - segments_[0].start));
+    samples_.push_back({0, 0, 0, speed, speed, 0, 0, {segments_[0].start, tangent, any_perpendicular(tangent)}});
     FirstSamples first;
-    run_with<take_first_samples>(vectors_, segments_[segment].hodograph(), first);
-    for (std::size_t k = 0; k < kFirstSamples; ++k) {
-        const double t = static_cast<double>(k + 1) / kFirstSamples;
-        const Vec3& last = samples_.back().frame.tangent;
-        const auto tangent = [&](std::size_t half) {
-            return first.speeds[half] > 0 ? first.velocities[half] / first.speeds[half] : last;
-        };
-        const Vec3 between = tangent(2 * k), end = tangent(2 * k + 1);
-        const double turn = length(between - last) + length(end - between);
-        if (turn > kSampleTurn) {
-            sample_up_to(segment, t, 0);
-        } else {
-            add_sample(segment, t, first.arcs[k], turn, end);
+    for (std::size_t from = 0; from < segments_.size(); from += FirstSamples::kMost) {
+        const std::size_t count = std::min(FirstSamples::kMost, segments_.size() - from);
+        const std::size_t padded = (count + FirstSamples::kVector - 1) / FirstSamples::kVector * FirstSamples::kVector;
+        for (std::size_t k = 0; k < padded; ++k) {
+            const Segment& segment = segments_[from + std::min(k, count - 1)];
+            first.constant.set(k, segment.constant);
+            first.linear.set(k, segment.linear);
+            first.quadratic.set(k, segment.quadratic);
         }
+        run_with<FirstSamples::take>(vectors_, first, padded);
+        for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k);
     }
 }
 
-void Curve::sample_up_to(std::size_t segment, double t, int halvings) {
-    const Sample& from = samples_.back();
-    const double from_t = from.segment == segment ? from.t : 0;
-    const double middle = (from_t + t) / 2;
-    const Vec3 tangent = tangent_at(segment, t, from.frame.tangent);
-    const Vec3 tangent_between = tangent_at(segment, middle, from.frame.tangent);
-    const double turn = length(tangent_between - from.frame.tangent) + length(tangent - tangent_between);
+void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k) {
+    for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
+        const double from = static_cast<double>(piece) / kFirstSamples, t = from + 1.0 / kFirstSamples;
+        const std::size_t half = 2 * piece, whole = half + 1;
+        const Vec3 last = samples_.back().frame.tangent, middle = first.tangents[half][k];
+        const double turn = (piece == 0 ? length(middle - last) : first.turns[half][k]) + first.turns[whole][k];
+        const Heading end{first.tangents[whole][k], first.speeds[whole][k]};
+        if (turn <= kSampleTurn) {
+            add_sample(segment, from, t, end, first.arcs[piece][k], turn);
+            continue;
+        }
+        sample_up_to(segment, from, t, first.speeds[half][k] > 0 ? middle : last,
+                     {end.speed > 0 ? end.tangent : last, end.speed}, 0);
+    }
+}
+
+void Curve::sample_up_to(std::size_t segment, double from, double t, const Vec3& between, const Heading& end,
+                         int halvings) {
+    const Vec3 start = samples_.back().frame.tangent;
+    const double turn = length(between - start) + length(end.tangent - between);
     if (turn > kSampleTurn && halvings < kDeepestHalving) {
-        sample_up_to(segment, middle, halvings + 1);
-        sample_up_to(segment, t, halvings + 1);
+        const double middle = (from + t) / 2;
+        const Heading halfway{between, segments_[segment].velocity().speed(middle)};
+        sample_up_to(segment, from, middle, heading_at(segment, (from + middle) / 2, start).tangent, halfway,
+                     halvings + 1);
+        sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between).tangent, end, halvings + 1);
         return;
     }
-    add_sample(segment, t, segments_[segment].hodograph().arc(from_t, t), turn, tangent);
+    add_sample(segment, from, t, end, segments_[segment].velocity().arc(from, t), turn);
 }
 
-void Curve::add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent) {
-    const Sample& from = samples_.back();
-    const Vec3 point = segments_[segment].point(t);
-    samples_.push_back({segment, t, from.along + arc, from.turning + turn, {point, tangent, {}}});
+void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn) {
+    const Sample& last = samples_.back();
+    const Segment& bezier = segments_[segment];
+    const double from_speed = from > 0 ? last.speed : length(bezier.constant);
+    samples_.push_back({segment, from, t, from_speed, end.speed, last.along + arc, last.turning + turn,
+                        {bezier.point(t), end.tangent, {}}});
 }
 
 void Curve::carry_normals() {
-    Reflections steps;
+    Steps steps;
     Vec3 normal = samples_.front().frame.normal;
-    for (std::size_t start = 0; start + 1 < samples_.size(); start += Reflections::kMost) {
+    for (std::size_t start = 0; start + 1 < samples_.size(); start += Steps::kMost) {
         Sample* const samples = &samples_[start];
-        const std::size_t count = std::min(Reflections::kMost, samples_.size() - 1 - start);
-        run_with<find_reflections<Sample>>(vectors_, samples, count, steps);
+        const std::size_t count = std::min(Steps::kMost, samples_.size() - 1 - start);
+        run_with<find_steps<Sample>>(vectors_, samples, count, steps);
         for (std::size_t k = 0; k < count; ++k) {
             if (steps.forwards[k] != 0) {
-                normal = bezier::reflected(normal, steps.first[k], steps.twice_first[k]);
-                normal = bezier::reflected(normal, steps.second[k], steps.twice_second[k]);
+                normal = bezier::carried(normal, steps.first[k], steps.second[k], steps.twice_first[k],
+                                         steps.twice_second[k], steps.coupling[k]);
             } else {
                 const Vec3& tangent = samples[k + 1].frame.tangent;
                 const Vec3 upright = rejected(normal, tangent);
@@ -213,10 +246,10 @@ void Curve::carry_normals() {
     }
 }
 
-Vec3 Curve::tangent_at(std::size_t segment, double t, const Vec3& otherwise) const {
-    const Vec3 derivative = segments_[segment].hodograph().derivative(t);
-    const double speed = length(derivative);
-    return speed > 0 ? derivative / speed : otherwise;
+Curve::Heading Curve::heading_at(std::size_t segment, double t, const Vec3& otherwise) const {
+    const Vec3 velocity = segments_[segment].velocity().at(t);
+    const double speed = length(velocity);
+    return {speed > 0 ? velocity / speed : otherwise, speed};
 }
 
 std::size_t Curve::sample_before(double along, std::size_t guess) const {
@@ -251,12 +284,14 @@ void Curve::find(std::span<const double> along, std::span<CurveFrame> out, Place
         const Sample& b = samples_[before + 1];
         const Segment& bezier = segments_[b.segment];
         samples[k] = before;
-        search.b0.set(k, bezier.b0);
-        search.b1.set(k, bezier.b1);
-        search.b2.set(k, bezier.b2);
-        search.b3.set(k, bezier.b3);
-        search.t0[k] = b.segment == a.segment ? a.t : 0;
+        search.start.set(k, bezier.start);
+        search.constant.set(k, bezier.constant);
+        search.linear.set(k, bezier.linear);
+        search.quadratic.set(k, bezier.quadratic);
+        search.t0[k] = b.from;
         search.t1[k] = b.t;
+        search.speed0[k] = b.from_speed;
+        search.speed1[k] = b.speed;
         search.wanted[k] = along[k] - a.along;
         search.whole[k] = b.along - a.along;
         search.point.set(k, a.frame.point);
@@ -288,15 +323,18 @@ double Curve::turning_until(double along) const {
     return span > 0 ? a.turning + (along - a.along) / span * (b.turning - a.turning) : a.turning;
 }
 
-double Curve::along_at(double part, double turn_worth) const {
+void Curve::along_at(std::span<const double> parts, double turn_worth, std::span<double> out) const {
     const auto measure = [&](const Sample& sample) { return sample.along + turn_worth * sample.turning; };
-    const double wanted = part * measure(samples_.back());
-    const auto after = std::lower_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
-                                        [&](const Sample& sample, double value) { return measure(sample) < value; });
-    const Sample& a = *(after - 1);
-    const Sample& b = *after;
-    const double span = measure(b) - measure(a);
-    return span > 0 ? a.along + std::clamp((wanted - measure(a)) / span, 0.0, 1.0) * (b.along - a.along) : a.along;
+    const double whole = measure(samples_.back());
+    std::size_t after = 1;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const double wanted = parts[k] * whole;
+        if (measure(samples_[after - 1]) >= wanted) after = 1;
+        while (after + 1 < samples_.size() && measure(samples_[after]) < wanted) ++after;
+        const Sample &a = samples_[after - 1], &b = samples_[after];
+        const double span = measure(b) - measure(a), share = (wanted - measure(a)) / span;
+        out[k] = span > 0 ? a.along + std::clamp(share, 0.0, 1.0) * (b.along - a.along) : a.along;
+    }
 }
 
 void Curve::face_away_from(const Vec3& center) {

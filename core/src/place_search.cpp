@@ -14,19 +14,18 @@ constexpr double kFurthest = 2e-5;
 
 constexpr std::size_t kVector = 4;  // doubles
 
-TUFTWAVE_BODY bezier::Hodograph hodograph(const PlaceSearch& s, std::size_t k) {
-    return {s.b1[k] - s.b0[k], s.b2[k] - s.b1[k], s.b3[k] - s.b2[k]};
+TUFTWAVE_BODY bezier::Velocity velocity_of(const PlaceSearch& s, std::size_t k) {
+    return {s.constant[k], s.linear[k], s.quadratic[k]};
 }
 
 /// By Hermite's cubic through both ends of the piece, where the speed is known.
 TUFTWAVE_BODY void guess(PlaceSearch& s, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
-        const bezier::Hodograph curve = hodograph(s, k);
         const double step = s.t1[k] - s.t0[k];
         const double share = s.wanted[k] / s.whole[k];
         const double x = share < kArcTolerance ? 0 : (share > 1 - kArcTolerance ? 1 : share), rest = 1 - x;
-        const double at_start = s.whole[k] / (step * curve.speed(s.t0[k]));
-        const double at_end = s.whole[k] / (step * curve.speed(s.t1[k]));
+        const double at_start = s.whole[k] / (step * s.speed0[k]);
+        const double at_end = s.whole[k] / (step * s.speed1[k]);
         const double cubic = x * x * (3 - 2 * x) + at_start * x * rest * rest - at_end * x * x * rest;
         const double bounded = cubic < 1 ? cubic : x;
         s.t[k] = s.t0[k] + (cubic > 0 ? bounded : x) * step;
@@ -36,11 +35,11 @@ TUFTWAVE_BODY void guess(PlaceSearch& s, std::size_t count) {
 /// One of Chebyshev's steps.
 TUFTWAVE_BODY void approach(PlaceSearch& s, std::size_t first, std::size_t end) {
     for (std::size_t k = first; k < end; ++k) {
-        const bezier::Hodograph curve = hodograph(s, k);
+        const bezier::Velocity curve = velocity_of(s, k);
         const double t = s.t[k], step = s.t1[k] - s.t0[k];
-        const Vec3 velocity = curve.derivative(t);
+        const Vec3 velocity = curve.at(t);
         const double square = dot(velocity, velocity), speed = std::sqrt(square);
-        const Vec3 bend = 6 * ((1 - t) * (curve.second - curve.first) + t * (curve.third - curve.second));
+        const Vec3 bend = curve.change_at(t);
         const double beyond = curve.arc(s.t0[k], t) - s.wanted[k];
         const double part = beyond / speed;
         const double next = t - part * (1 + 0.5 * part * dot(velocity, bend) / square);
@@ -54,8 +53,9 @@ TUFTWAVE_BODY void approach(PlaceSearch& s, std::size_t first, std::size_t end) 
 TUFTWAVE_BODY void frames(PlaceSearch& s, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
         const CurveFrame from{s.point[k], s.tangent[k], s.normal[k]};
-        const Vec3 point = bezier::point(s.b0[k], s.b1[k], s.b2[k], s.b3[k], s.t[k]);
-        const Vec3 velocity = hodograph(s, k).derivative(s.t[k]);
+        const bezier::Velocity curve = velocity_of(s, k);
+        const Vec3 point = s.start[k] + curve.way_to(s.t[k]);
+        const Vec3 velocity = curve.at(s.t[k]);
         const double speed = length(velocity);
         const Vec3 tangent = bezier::chosen(speed > 0, velocity / speed, from.tangent);
         const Vec3 normal = bezier::carried_normal(from, point, tangent);

@@ -32,8 +32,10 @@ struct PlaceSearch {
     using Rows = VectorRows<kMost>;
     using Row = std::array<double, kMost>;
 
-    Rows b0, b1, b2, b3;            ///< the segment's control points
-    alignas(64) Row t0, t1;         ///< where the piece starts and ends
+    Rows start;                        ///< the segment's first point
+    Rows constant, linear, quadratic;  ///< of its velocity
+    alignas(64) Row t0, t1;            ///< where the piece starts and ends
+    alignas(64) Row speed0, speed1;    ///< there
     alignas(64) Row wanted, whole;  ///< metres from its start to the place, and to its end
     Rows point, tangent, normal;    ///< the frame at its start; found_frames() replaces it by the place's
     alignas(64) Row t;              ///< found: the parameter

@@ -67,12 +67,11 @@ class RingChooser {
     void by_count(int count) {
         const bool flat_tip = tuft_.widest_at >= 100;
         const double whole = curve_.arc_length();
-        std::vector<double> along;
-        along.reserve(static_cast<std::size_t>(count));
-        for (int i = 1; i <= count; ++i) {
-            const double part = static_cast<double>(i) / (flat_tip ? count : count + 1);
-            along.push_back(curve_.along_at(part, kTurnWorth * whole) / whole);
-        }
+        std::vector<double> parts(static_cast<std::size_t>(count)), along(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            parts[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
+        curve_.along_at(parts, kTurnWorth * whole, along);
+        for (double& place : along) place /= whole;
         rings_ = rings_at(along);
     }
 

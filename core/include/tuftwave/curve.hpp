@@ -11,7 +11,7 @@ namespace tuftwave {
 
 struct PlaceSearch;
 namespace bezier {
-struct Hodograph;
+struct Velocity;
 }
 
 /// A place on a curve: the point, the unit tangent, and a unit normal that does not spin about the tangent.
@@ -45,39 +45,49 @@ class Curve {
     /// The angle the tangent turns through from the start up to `along`, radians, never falling.
     double turning_until(double along) const;
 
-    /// Where the share `part` of length and turning together is reached, so that equal parts are shorter in bends.
-    /// @param part        0 to 1
+    /// Where shares of length and turning together are reached, so that equal parts are shorter in bends; quickest where
+    /// they rise.
+    /// @param parts       0 to 1
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
-    /// @return  arc length, metres
-    double along_at(double part, double turn_worth) const;
+    /// @param out         as many arc lengths, metres
+    void along_at(std::span<const double> parts, double turn_worth, std::span<double> out) const;
 
     /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.
     void face_away_from(const Vec3& center);
 
   private:
     struct Segment {
-        Vec3 b0, b1, b2, b3;  // Bezier control points
+        Vec3 start, end;
+        Vec3 constant, linear, quadratic;  // of its velocity
 
+        bezier::Velocity velocity() const;
         Vec3 point(double t) const;
-        bezier::Hodograph hodograph() const;
 
         /// The parameter in [t0, t1] with `wanted` metres between it and t0, of `whole` up to t1.
         double parameter(double t0, double t1, double wanted, double whole) const;
     };
+    struct Heading {
+        Vec3 tangent;
+        double speed;
+    };
+    /// A place where a piece of a segment ends.
     struct Sample {
         std::size_t segment;
-        double t;        // on the segment; where two segments meet, 1 on the first of them
-        double along;    // arc length up to here
-        double turning;  // angle turned up to here
+        double from, t;            // parameters of the piece's ends
+        double from_speed, speed;  // there
+        double along;              // arc length up to here
+        double turning;            // angle turned up to here
         CurveFrame frame;
     };
+    struct FirstSamples;
 
     void make_segments(std::span<const Vec3> points);
-    void measure(std::size_t segment);
-    void sample_up_to(std::size_t segment, double t, int halvings);
-    void add_sample(std::size_t segment, double t, double arc, double turn, const Vec3& tangent);
+    void measure();
+    void measure(std::size_t segment, const FirstSamples& first, std::size_t k);
+    void sample_up_to(std::size_t segment, double from, double t, const Vec3& between, const Heading& end, int halvings);
+    void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn);
     void carry_normals();
-    Vec3 tangent_at(std::size_t segment, double t, const Vec3& otherwise) const;
+    Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
     std::size_t sample_before(double along, std::size_t guess) const;
     void find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const;
 
