@@ -21,7 +21,7 @@ class Corners {
     }
 
     std::size_t count() const { return count_; }
-    std::size_t padded() const { return (count_ + 15) / 16 * 16; }
+    std::size_t padded() const { return (count_ + 7) / 8 * 8; }
     const double* sines() const { return sines_.data(); }
     const double* cosines() const { return cosines_.data(); }
 

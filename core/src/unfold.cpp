@@ -168,6 +168,7 @@ TUFTWAVE_BODY void unfold(Window& window, float* reach) {
 
 std::vector<Fold> folds_of(std::span<const Ring> rings) {
     std::vector<Fold> folds;
+    folds.reserve(rings.size());
     for (std::size_t i = 1; i < rings.size(); ++i) {
         if (may_fold(rings[i - 1], rings[i])) folds.push_back({i, Pair(rings[i - 1], rings[i])});
     }
@@ -192,6 +193,7 @@ std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vecto
 
     const Corners& corners = corners_of(sides);
     Window window{rings.subspan(first, last + 1 - first), folds, corners, {}, {}, {}, {}};
+    window.distances.reserve(window.rings.size());
     for (std::size_t i = 0; i + 1 < window.rings.size(); ++i)
         window.distances.push_back(distance(window.rings[i], window.rings[i + 1]));
     window.sizes.resize(window.rings.size() * window.row());

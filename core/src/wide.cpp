@@ -1,17 +1,32 @@
 // Based on: our own.
 #include "tuftwave/wide.hpp"
 
-namespace tuftwave {
+#include <array>
+#include <cstddef>
 
-bool has_wide_vectors() {
+namespace tuftwave {
+namespace {
+
+constexpr std::array kAll{Vectors::kNarrow, Vectors::kWide, Vectors::kWidest};
+
+std::size_t count_usable() {
 #if defined(__x86_64__) && defined(__GNUC__)
-    static const bool has_them = __builtin_cpu_supports("avx2") != 0;
-    return has_them;
+    if (__builtin_cpu_supports("avx2") == 0) return 1;
+    // Those with VBMI2 came later than the ones that slow down for vectors of eight.
+    const bool has_widest = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                            __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                            __builtin_cpu_supports("avx512vbmi2") != 0;
+    return has_widest ? 3 : 2;
 #else
-    return false;
+    return 1;
 #endif
 }
 
-Vectors widest_vectors() { return has_wide_vectors() ? Vectors::kWide : Vectors::kNarrow; }
+}  // namespace
+
+std::span<const Vectors> usable_vectors() {
+    static const std::size_t count = count_usable();
+    return std::span(kAll).first(count);
+}
 
 }  // namespace tuftwave

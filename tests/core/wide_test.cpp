@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -15,21 +16,24 @@ TUFTWAVE_BODY void roots_of_sums(const Numbers& a, const Numbers& b, Numbers& ou
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::sqrt(a[i] * b[i] + a[i] / b[i]);
 }
 
-TEST(Wide, ABodyGivesTheSameBitsInBothWidths) {
-    Numbers a, b, narrow{}, wide{};
+TEST(Wide, ABodyGivesTheSameBitsInEveryWidth) {
+    Numbers a, b, expected{};
     for (std::size_t i = 0; i < a.size(); ++i) {
         a[i] = 1.0 / static_cast<double>(i + 3);
         b[i] = std::sqrt(static_cast<double>(i + 2));
+        expected[i] = std::sqrt(a[i] * b[i] + a[i] / b[i]);
     }
-    run_with<roots_of_sums>(Vectors::kNarrow, a, b, narrow);
-    EXPECT_EQ(narrow[0], std::sqrt(a[0] * b[0] + a[0] / b[0]));
-    if (!has_wide_vectors()) GTEST_SKIP() << "this CPU has no wide vectors";
-    run_with<roots_of_sums>(Vectors::kWide, a, b, wide);
-    EXPECT_EQ(narrow, wide);
+    for (const Vectors vectors : usable_vectors()) {
+        Numbers found{};
+        run_with<roots_of_sums>(vectors, a, b, found);
+        EXPECT_EQ(found, expected) << "of vectors " << static_cast<int>(vectors);
+    }
 }
 
-TEST(Wide, TheWidestIsOneThatTheMachineRuns) {
-    EXPECT_EQ(widest_vectors(), has_wide_vectors() ? Vectors::kWide : Vectors::kNarrow);
+TEST(Wide, TheWidestIsTheLastThatTheMachineRuns) {
+    EXPECT_EQ(usable_vectors().front(), Vectors::kNarrow);
+    EXPECT_TRUE(std::ranges::is_sorted(usable_vectors()));
+    EXPECT_EQ(widest_vectors(), usable_vectors().back());
 }
 
 }  // namespace
