@@ -9,21 +9,29 @@
 namespace tuftwave {
 
 /// Sine and cosine of each corner of a ring, counter-clockwise about the tangent. Behind the last one they start again,
-/// kMostSides in all, so that loops can take whole vectors.
+/// so that loops can take whole vectors.
 class Corners {
   public:
+    static constexpr std::size_t kVector = 8;  // the narrowest that is worth while
+    static constexpr std::size_t kMost = (kMostSides / kVector + 1) * kVector;
+
     explicit Corners(int sides = 3) : count_(static_cast<std::size_t>(sides)) {
-        for (std::size_t j = 0; j < kMostSides; ++j) {
+        for (std::size_t j = 0; j < kMost; ++j) {
             const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j % count_) / sides);
             sines_[j] = sine;
             cosines_[j] = cosine;
+            short_sines_[j] = static_cast<float>(sine);
+            short_cosines_[j] = static_cast<float>(cosine);
         }
     }
 
     std::size_t count() const { return count_; }
-    std::size_t padded() const { return (count_ + 7) / 8 * 8; }
+    /// How many there are in whole vectors, the first one once more behind the last among them.
+    std::size_t padded() const { return (count_ / kVector + 1) * kVector; }
     const double* sines() const { return sines_.data(); }
     const double* cosines() const { return cosines_.data(); }
+    const float* short_sines() const { return short_sines_.data(); }
+    const float* short_cosines() const { return short_cosines_.data(); }
 
     /// From the ring's middle to corner `j`, metres, before anything is cut back.
     Vec3 offset(const Ring& ring, std::size_t j) const {
@@ -33,7 +41,8 @@ class Corners {
 
   private:
     std::size_t count_;
-    alignas(64) std::array<double, kMostSides> sines_, cosines_;
+    alignas(64) std::array<double, kMost> sines_, cosines_;
+    alignas(64) std::array<float, kMost> short_sines_, short_cosines_;
 };
 
 /// Those of rings of so many corners, made once. @param sides  3 to kMostSides

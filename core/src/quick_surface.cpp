@@ -11,17 +11,39 @@
 namespace tuftwave {
 namespace {
 
-/// Share of the largest area that a piece of the grid could have, squared, below which floats lose its direction.
-constexpr float kLeastArea = 1e-6F;
+/// Share of the largest areas that the pieces before and after a corner could have, squared and multiplied, below which
+/// floats lose their direction.
+constexpr float kLeastAreas = 1e-10F;
 /// Likewise of the sum of two unit normals: below it they look apart by more than 156 degrees.
 constexpr float kLeastSum = 0.04F;
 
-using Row = std::array<float, kMostSides>;
+/// One number per corner, as many as Corners::padded().
+using Row = std::array<float, Corners::kMost>;
 
-/// From the middle of a ring to its corners, in units of the tuft's size. As in RingCorners the last one is there again
-/// before the first; behind the last they start again.
+struct Rows {
+    alignas(64) Row x, y, z;
+
+    /// Puts them side by side. @param to  room for all of them
+    TUFTWAVE_BODY void interleave(std::size_t count, float* to) const {
+        for (std::size_t k = 0; k < count; ++k) {
+            to[3 * k] = x[k];
+            to[3 * k + 1] = y[k];
+            to[3 * k + 2] = z[k];
+        }
+    }
+};
+
+struct Point {
+    float x, y, z;
+
+    TUFTWAVE_BODY explicit Point(const Vec3& v)
+        : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
+};
+
+/// From the middle of a ring to its corners, in units of the tuft's half width. As in RingCorners the last one is there again
+/// before the first.
 struct Offsets {
-    alignas(64) std::array<float, kMostSides + 2> x{}, y{}, z{};
+    alignas(64) std::array<float, Corners::kMost + 2> x{}, y{}, z{};
     Vec3 middle;
     double width = 0;
 
@@ -35,50 +57,54 @@ struct Offsets {
 
 /// From ring to ring: of the middles, and the square of what the way between two corners can be at most.
 struct Way {
-    float x, y, z, most;
+    Point middle;
+    float most;
 
-    TUFTWAVE_BODY Way(const Offsets& from, const Offsets& to, double scale) {
-        const Vec3 way = scale * (to.middle - from.middle);
-        x = static_cast<float>(way.x);
-        y = static_cast<float>(way.y);
-        z = static_cast<float>(way.z);
-        most = static_cast<float>(dot(way, way) + from.width * from.width + to.width * to.width);
+    TUFTWAVE_BODY Way(const Offsets& from, const Offsets& to, double scale) : Way(scale * (to.middle - from.middle)) {
+        most += static_cast<float>(from.width * from.width + to.width * to.width);
     }
+
+  private:
+    TUFTWAVE_BODY explicit Way(const Vec3& way) : middle(way), most(static_cast<float>(dot(way, way))) {}
 };
 
 TUFTWAVE_BODY void stand(const Ring& ring, const Corners& corners, const float* reach, double scale, Offsets& offsets,
-                         Row& x, Row& y, Row& z) {
-    const Vec3 middle = ring.frame.point, normal = ring.frame.normal, binormal = ring.frame.binormal();
-    const double thickness = ring.half_thickness, width = ring.half_width;
-    const double *cosines = corners.cosines(), *sines = corners.sines();
+                         Rows& places) {
+    const Point middle(ring.frame.point), up(ring.half_thickness * ring.frame.normal),
+        across(ring.half_width * ring.frame.binormal());
+    const auto unit = static_cast<float>(scale);
+    const float *cosines = corners.short_cosines(), *sines = corners.short_sines();
     for (std::size_t k = 0; k < corners.padded(); ++k) {
-        const double up = thickness * cosines[k], across = width * sines[k], share = static_cast<double>(reach[k]);
-        const Vec3 offset = share * (up * normal + across * binormal);
-        offsets.x[k + 1] = static_cast<float>(scale * offset.x);
-        offsets.y[k + 1] = static_cast<float>(scale * offset.y);
-        offsets.z[k + 1] = static_cast<float>(scale * offset.z);
-        x[k] = static_cast<float>(middle.x + offset.x);
-        y[k] = static_cast<float>(middle.y + offset.y);
-        z[k] = static_cast<float>(middle.z + offset.z);
+        const float cosine = reach[k] * cosines[k], sine = reach[k] * sines[k];
+        const float x = cosine * up.x + sine * across.x, y = cosine * up.y + sine * across.y,
+                    z = cosine * up.z + sine * across.z;
+        offsets.x[k + 1] = unit * x;
+        offsets.y[k + 1] = unit * y;
+        offsets.z[k + 1] = unit * z;
+        places.x[k] = middle.x + x;
+        places.y[k] = middle.y + y;
+        places.z[k] = middle.z + z;
     }
     offsets.close(corners.count(), corners.padded());
-    offsets.middle = middle;
-    offsets.width = scale * width;
+    offsets.middle = ring.frame.point;
+    offsets.width = scale * ring.half_width;
 }
 
 /// @return  whether floats are good enough for all of them
 TUFTWAVE_BODY bool find_normals(const Offsets& before, const Offsets& here, const Offsets& after, const Way& in,
-                                const Way& out, std::size_t padded, Row& x, Row& y, Row& z) {
-    const auto width = static_cast<float>(here.width);
-    const float least_in = kLeastArea * width * width * in.most, least_out = kLeastArea * width * width * out.most;
+                                const Way& out, std::size_t padded, Rows& normals) {
+    const auto area = static_cast<float>(here.width * here.width);
+    const float least = kLeastAreas * (area * in.most) * (area * out.most);
     std::uint32_t lost = 0;
     for (std::size_t k = 0; k < padded; ++k) {
         const float around_x = here.x[k + 2] - here.x[k], around_y = here.y[k + 2] - here.y[k],
                     around_z = here.z[k + 2] - here.z[k];
-        const float in_x = in.x + (here.x[k + 1] - before.x[k + 1]), in_y = in.y + (here.y[k + 1] - before.y[k + 1]),
-                    in_z = in.z + (here.z[k + 1] - before.z[k + 1]);
-        const float out_x = out.x + (after.x[k + 1] - here.x[k + 1]), out_y = out.y + (after.y[k + 1] - here.y[k + 1]),
-                    out_z = out.z + (after.z[k + 1] - here.z[k + 1]);
+        const float in_x = in.middle.x + (here.x[k + 1] - before.x[k + 1]),
+                    in_y = in.middle.y + (here.y[k + 1] - before.y[k + 1]),
+                    in_z = in.middle.z + (here.z[k + 1] - before.z[k + 1]);
+        const float out_x = out.middle.x + (after.x[k + 1] - here.x[k + 1]),
+                    out_y = out.middle.y + (after.y[k + 1] - here.y[k + 1]),
+                    out_z = out.middle.z + (after.z[k + 1] - here.z[k + 1]);
         const float first_x = around_y * in_z - around_z * in_y, first_y = around_z * in_x - around_x * in_z,
                     first_z = around_x * in_y - around_y * in_x;
         const float second_x = around_y * out_z - around_z * out_y, second_y = around_z * out_x - around_x * out_z,
@@ -90,75 +116,70 @@ TUFTWAVE_BODY bool find_normals(const Offsets& before, const Offsets& here, cons
         const float sum_x = second_square * first_x + both * second_x, sum_y = second_square * first_y + both * second_y,
                     sum_z = second_square * first_z + both * second_z;
         const float square = sum_x * sum_x + sum_y * sum_y + sum_z * sum_z;
-        lost |= (first_square > least_in ? 0U : 1U) | (second_square > least_out ? 0U : 1U) |
-                (square > kLeastSum * product * second_square ? 0U : 1U);
+        lost |= (product > least ? 0U : 1U) | (square > kLeastSum * product * second_square ? 0U : 1U);
         const float unit = 1 / std::sqrt(square);
-        x[k] = unit * sum_x;
-        y[k] = unit * sum_y;
-        z[k] = unit * sum_z;
+        normals.x[k] = unit * sum_x;
+        normals.y[k] = unit * sum_y;
+        normals.z[k] = unit * sum_z;
     }
     return lost == 0;
 }
 
-/// Puts the three side by side, and the first corner once more at the end.
-TUFTWAVE_BODY void interleave(const Row& x, const Row& y, const Row& z, std::size_t sides, float* to) {
-    for (std::size_t j = 0; j < sides; ++j) {
-        to[3 * j] = x[j];
-        to[3 * j + 1] = y[j];
-        to[3 * j + 2] = z[j];
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) to[3 * sides + axis] = to[axis];
-}
-
-/// What makes the tuft's largest step or ring about 1, so that products of many sizes are floats; 0 where it has none.
+/// What makes the tuft's widest ring about 1, so that products of many sizes are floats.
 double scale_of(const MeshPlan& plan) {
-    double largest = 0;
-    Vec3 last = plan.root;
-    for (const Ring& ring : plan.rings) {
-        const Vec3 way = ring.frame.point - last;
-        largest = std::max({largest, ring.half_width, std::abs(way.x), std::abs(way.y), std::abs(way.z)});
-        last = ring.frame.point;
-    }
-    return largest > 0 ? 1 / largest : 0;
+    double widest = 0;
+    for (const Ring& ring : plan.rings) widest = std::max(widest, ring.half_width);
+    return widest > 0 ? 1 / widest : 0;
 }
 
-/// How much of each corner's offset is kept, as many as Corners::padded().
-class Reach {
-  public:
-    explicit Reach(const MeshPlan& plan) : reach_(plan.reach), sides_(static_cast<std::size_t>(plan.sides)) {
-        row_.fill(1);
-    }
+/// What of each corner's offset is kept.
+struct WholeReach {
+    Row ones;
 
-    TUFTWAVE_BODY const float* operator()(std::size_t ring, std::size_t padded) {
-        if (reach_.empty()) return row_.data();
-        std::copy_n(&reach_[ring * sides_], sides_, row_.begin());
-        for (std::size_t k = sides_; k < padded; ++k) row_[k] = row_[k - sides_];
-        return row_.data();
+    WholeReach() { ones.fill(1); }
+    const float* of(const MeshPlan& plan, std::size_t ring) const {
+        const std::span<const float> reach = plan.reach.of(ring);
+        return reach.empty() ? ones.data() : reach.data();
+    }
+};
+
+/// Rows of interleaved numbers, written root to tip: what one has too much is overwritten by the next one.
+class RowWriter {
+  public:
+    RowWriter(std::span<float> to, std::size_t sides) : to_(to), row_(3 * (sides + 1)) {}
+
+    TUFTWAVE_BODY void write(const Rows& rows, std::size_t padded) {
+        if (next_ + 3 * padded <= to_.size()) {
+            rows.interleave(padded, &to_[next_]);
+        } else {
+            std::array<float, 3 * Corners::kMost> last;
+            rows.interleave(padded, last.data());
+            std::copy_n(last.begin(), row_, &to_[next_]);
+        }
+        next_ += row_;
     }
 
   private:
-    std::span<const float> reach_;
-    std::size_t sides_;
-    Row row_;
+    std::span<float> to_;
+    std::size_t row_, next_ = 0;
 };
 
-TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, double scale, float* positions,
-                             float* normals, std::vector<std::size_t>& left) {
-    const std::size_t count = plan.rings.size(), row = 3 * (corners.count() + 1);
-    Reach reach(plan);
+TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, double scale, std::span<float> positions,
+                             std::span<float> normals, std::vector<std::size_t>& left) {
+    const std::size_t count = plan.rings.size(), padded = corners.padded();
+    const WholeReach reach;
     Offsets rings[3];
-    alignas(64) Row x, y, z;
-    const auto put = [&](std::size_t ring, Offsets& offsets) {
-        stand(plan.rings[ring], corners, reach(ring, corners.padded()), scale, offsets, x, y, z);
-        interleave(x, y, z, corners.count(), positions + ring * row);
-    };
+    Rows rows;
+    RowWriter to_positions(positions, corners.count()), to_normals(normals, corners.count());
     Offsets *before = &rings[0], *here = &rings[1], *after = &rings[2];
     before->middle = plan.root;
-    put(0, *here);
+    stand(plan.rings[0], corners, reach.of(plan, 0), scale, *here, rows);
+    to_positions.write(rows, padded);
     Way in(*before, *here, scale);
     for (std::size_t i = 0; i < count; ++i) {
         if (i + 1 < count) {
-            put(i + 1, *after);
+            stand(plan.rings[i + 1], corners, reach.of(plan, i + 1), scale, *after, rows);
+            to_positions.write(rows, padded);
         } else if (plan.flat_tip) {
             *after = *here;
         } else {
@@ -166,8 +187,8 @@ TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, doubl
             after->middle = plan.tip;
         }
         const Way out(*here, *after, scale);
-        if (!find_normals(*before, *here, *after, in, out, corners.padded(), x, y, z)) left.push_back(i);
-        interleave(x, y, z, corners.count(), normals + i * row);
+        if (!find_normals(*before, *here, *after, in, out, padded, rows)) left.push_back(i);
+        to_normals.write(rows, padded);
         Offsets* const passed = before;
         before = here;
         here = after;
@@ -181,7 +202,7 @@ TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, doubl
 std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, std::span<float> positions,
                                                std::span<float> normals) {
     std::vector<std::size_t> left;
-    run_with<write_all>(vectors, plan, corners_of(plan.sides), scale_of(plan), positions.data(), normals.data(), left);
+    run_with<write_all>(vectors, plan, corners_of(plan.sides), scale_of(plan), positions, normals, left);
     return left;
 }
 

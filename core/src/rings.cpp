@@ -67,10 +67,10 @@ class RingChooser {
     void by_count(int count) {
         const bool flat_tip = tuft_.widest_at >= 100;
         const double whole = curve_.arc_length();
-        std::vector<double> parts(static_cast<std::size_t>(count)), along(parts.size());
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            parts[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
-        curve_.along_at(parts, kTurnWorth * whole, along);
+        std::vector<double> along(static_cast<std::size_t>(count));
+        for (std::size_t i = 0; i < along.size(); ++i)
+            along[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
+        curve_.along_at(along, kTurnWorth * whole, along);
         for (double& place : along) place /= whole;
         rings_ = rings_at(along);
     }
@@ -82,15 +82,15 @@ class RingChooser {
         constexpr std::size_t kMost = 64;  // at once
         std::array<double, kMost> places, widths;
         std::array<CurveFrame, kMost> frames;
-        std::vector<Ring> rings;
-        rings.reserve(along.size());
+        std::vector<Ring> rings(along.size());
         for (std::size_t from = 0; from < along.size(); from += kMost) {
             const std::size_t count = std::min(kMost, along.size() - from);
             const auto here = along.subspan(from, count);
             for (std::size_t i = 0; i < count; ++i) places[i] = here[i] * curve_.arc_length();
             curve_.at(std::span(places).first(count), std::span(frames).first(count));
             profile_widths(tuft_.taper, here, tuft_.widest_at / 100, std::span(widths).first(count), vectors_);
-            for (std::size_t i = 0; i < count; ++i) rings.push_back(ring(frames[i], here[i], half_diameter_ * widths[i]));
+            for (std::size_t i = 0; i < count; ++i)
+                rings[from + i] = ring(frames[i], here[i], half_diameter_ * widths[i]);
         }
         if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
         return rings;

@@ -29,7 +29,7 @@ TUFTWAVE_BODY void stand_around(RingCorners& to, const Ring& ring, const Corners
         to.y[j + 1] = middle.y + offset.y;
         to.z[j + 1] = middle.z + offset.z;
     }
-    for (std::size_t j = 0; j < reach.size(); ++j) {
+    for (std::size_t j = 0; j < sides && !reach.empty(); ++j) {
         if (reach[j] == 1) continue;
         const Vec3 corner = middle + static_cast<double>(reach[j]) * corners.offset(ring, j);
         to.x[j + 1] = corner.x;

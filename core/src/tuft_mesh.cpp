@@ -48,10 +48,8 @@ class TuftMesher {
             to.gather(ring < 0 ? plan_.root : plan_.tip);
             return to;
         }
-        const std::size_t sides = corners_.count(), at = static_cast<std::size_t>(std::min(ring, last));
-        std::span<const float> reach = plan_.reach;
-        if (!reach.empty()) reach = reach.subspan(at * sides, sides);
-        to.stand(plan_.rings[at], corners_, reach, vectors_);
+        const auto at = static_cast<std::size_t>(std::min(ring, last));
+        to.stand(plan_.rings[at], corners_, plan_.reach.of(at), vectors_);
         return to;
     }
 

@@ -19,6 +19,8 @@ namespace {
 constexpr double kLeastAdvance = 0.1;
 /// How quickly a cut fades along the centre line: metres of cut per metre of length.
 constexpr double kFadeSlope = 1.0;
+/// A tuft that leaves the scalp at right angles has fewer.
+constexpr std::size_t kUsualFolds = 16;
 /// Rings that a bridge looks ahead at most, which bounds the work.
 constexpr std::size_t kBridgedRings = 64;
 
@@ -55,15 +57,31 @@ struct Fold {
     Pair pair;
 };
 
+double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
+
 /// The rings around all folds, as far as a cut can fade, with a row of corners for each.
 struct Window {
     std::span<const Ring> rings;
     std::span<const Fold> folds;  // counted from the window's first ring
     const Corners& corners;
-    std::vector<double> distances;            // to the next ring's centre, metres
-    std::vector<double> sizes, cuts, bridged;  // of each corner from the centre; taken off that; likewise with bridges
+    std::span<double> distances;    // to the next ring's centre, metres
+    std::span<double> sizes, cuts;  // of each corner from the centre; taken off that
+
+    Window(std::span<const Ring> some, std::span<const Fold> their_folds, const Corners& their_corners)
+        : rings(some),
+          folds(their_folds),
+          corners(their_corners),
+          rows_(rings.size() * (2 * row() + 1)) {
+        sizes = std::span(rows_).first(rings.size() * row());
+        cuts = std::span(rows_).subspan(sizes.size(), sizes.size());
+        distances = std::span(rows_).last(rings.size());
+        for (std::size_t i = 0; i + 1 < rings.size(); ++i) distances[i] = distance(rings[i], rings[i + 1]);
+    }
 
     std::size_t row() const { return corners.padded(); }
+
+  private:
+    std::vector<double> rows_;
 };
 
 TUFTWAVE_BODY double larger(double a, double b) { return a > b ? a : b; }
@@ -121,19 +139,37 @@ TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards sid
     }
 }
 
+/// Whether a corner is cut less than both before and after it.
+TUFTWAVE_BODY bool has_valley(const Window& window) {
+    const std::size_t row = window.row(), from = window.folds.front().ring - 1, to = window.folds.back().ring;
+    std::array<double, Corners::kMost> deepest, falls;  // so far; whether it has been less since, as 0 or 1
+    deepest.fill(0);
+    falls.fill(0);
+    double valleys = 0;
+    for (std::size_t i = from; i <= to; ++i) {
+        const double *cuts = &window.cuts[i * row], *last = i > from ? cuts - row : cuts;
+        for (std::size_t k = 0; k < row; ++k) {
+            falls[k] = cuts[k] < deepest[k] ? 1 : falls[k];
+            deepest[k] = larger(deepest[k], cuts[k]);
+            valleys += cuts[k] > last[k] ? falls[k] : 0;
+        }
+    }
+    return valleys > 0;
+}
+
 /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a fin:
 /// it stays cut as far as the lesser of the deepest cuts before and after.
 TUFTWAVE_BODY void bridge(Window& window) {
     const std::size_t from = window.folds.front().ring - 1, to = window.folds.back().ring;
-    std::array<double, kMostSides> before, after;
-    window.bridged = window.cuts;
+    std::array<double, Corners::kMost> before, after;
+    std::vector<double> cuts(window.cuts.begin(), window.cuts.end());
     for (std::size_t i = from; i <= to; ++i) {
         find_deepest(window, i, Towards::kRoot, before.data());
         find_deepest(window, i, Towards::kTip, after.data());
-        double* const bridged = &window.bridged[i * window.row()];
+        double* const bridged = &cuts[i * window.row()];
         for (std::size_t k = 0; k < window.row(); ++k) bridged[k] = larger(bridged[k], smaller(before[k], after[k]));
     }
-    std::swap(window.cuts, window.bridged);
+    std::copy(cuts.begin(), cuts.end(), window.cuts.begin());
 }
 
 TUFTWAVE_BODY void fade(Window& window) {
@@ -148,38 +184,33 @@ TUFTWAVE_BODY void fade(Window& window) {
     for (std::size_t i = count - 1; i > 0; --i) carry(i, i - 1);
 }
 
-/// @param reach  of the window's rings, one after the other
-TUFTWAVE_BODY void share_left(const Window& window, float* reach) {
-    const std::size_t sides = window.corners.count();
-    for (std::size_t i = 0; i < window.rings.size(); ++i) {
-        const double *cuts = &window.cuts[i * window.row()], *sizes = &window.sizes[i * window.row()];
-        for (std::size_t k = 0; k < sides; ++k)
-            reach[i * sides + k] = static_cast<float>(cuts[k] > 0 ? larger(1 - cuts[k] / sizes[k], 0) : 1);
+TUFTWAVE_BODY void find_shares(const Window& window, std::vector<float>& shares) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double left = 1 - window.cuts[i] / window.sizes[i];
+        shares[i] = static_cast<float>(window.cuts[i] > 0 ? larger(left, 0) : 1);
     }
 }
 
-TUFTWAVE_BODY void unfold(Window& window, float* reach) {
+TUFTWAVE_BODY void unfold(Window& window, std::vector<float>& shares) {
     measure_corners(window);
     cut_folds(window);
-    bridge(window);
+    if (has_valley(window)) bridge(window);
     fade(window);
-    share_left(window, reach);
+    find_shares(window, shares);
 }
 
 std::vector<Fold> folds_of(std::span<const Ring> rings) {
     std::vector<Fold> folds;
-    folds.reserve(rings.size());
+    folds.reserve(kUsualFolds);
     for (std::size_t i = 1; i < rings.size(); ++i) {
         if (may_fold(rings[i - 1], rings[i])) folds.push_back({i, Pair(rings[i - 1], rings[i])});
     }
     return folds;
 }
 
-double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
-
 }  // namespace
 
-std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
+Reach unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
     std::vector<Fold> folds = folds_of(rings);
     if (folds.empty()) return {};
     double deepest = 0;  // no cut is deeper, and none fades further
@@ -191,15 +222,9 @@ std::vector<float> unfolding_reach(std::span<const Ring> rings, int sides, Vecto
         walked += distance(rings[last], rings[last + 1]);
     for (Fold& fold : folds) fold.ring -= first;
 
-    const Corners& corners = corners_of(sides);
-    Window window{rings.subspan(first, last + 1 - first), folds, corners, {}, {}, {}, {}};
-    window.distances.reserve(window.rings.size());
-    for (std::size_t i = 0; i + 1 < window.rings.size(); ++i)
-        window.distances.push_back(distance(window.rings[i], window.rings[i + 1]));
-    window.sizes.resize(window.rings.size() * window.row());
-    window.cuts.resize(window.sizes.size());
-    std::vector<float> reach(rings.size() * corners.count(), 1.0F);
-    run_with<unfold>(vectors, window, &reach[first * corners.count()]);
+    Window window(rings.subspan(first, last + 1 - first), folds, corners_of(sides));
+    Reach reach{first, window.row(), std::vector<float>(window.cuts.size())};
+    run_with<unfold>(vectors, window, reach.shares);
     return reach;
 }
 

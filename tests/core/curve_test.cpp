@@ -241,17 +241,31 @@ TEST(Curve, TurningNeverFallsAndIsTheArcsAngle) {
     EXPECT_NEAR(before, 1.5 * kPi, 0.02 * kPi);
 }
 
+double along_at(const Curve& curve, double part, double turn_worth) {
+    double along = 0;
+    curve.along_at({&part, 1}, turn_worth, {&along, 1});
+    return along;
+}
+
 TEST(Curve, EqualPartsOfLengthAndTurningAreShorterInBends) {
     const Curve curve(test::hairpin().points);  // its bend lies in the middle
     const double whole = curve.arc_length();
-    EXPECT_NEAR(curve.along_at(0.3, 0), 0.3 * whole, 1e-12);
+    EXPECT_NEAR(along_at(curve, 0.3, 0), 0.3 * whole, 1e-12);
     double before = 0;
     for (int i = 0; i <= 20; ++i) {
-        const double along = curve.along_at(i / 20.0, 0.1);
+        const double along = along_at(curve, i / 20.0, 0.1);
         EXPECT_GE(along, before) << i;
         before = along;
     }
-    EXPECT_LT(curve.along_at(0.55, 0.1) - curve.along_at(0.45, 0.1), 0.05 * whole);
+    EXPECT_LT(along_at(curve, 0.55, 0.1) - along_at(curve, 0.45, 0.1), 0.05 * whole);
+}
+
+TEST(Curve, ManyPartsAreThoseOfEachInAnyOrder) {
+    const Curve curve(test::hairpin().points);
+    const std::vector<double> parts{0.5, 0.1, 0, 0.45, 0.451, 1, 0.999, 0.3};
+    std::vector<double> along(parts.size());
+    curve.along_at(parts, 0.1, along);
+    for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(along[i], along_at(curve, parts[i], 0.1)) << parts[i];
 }
 
 // A rounding beyond the end would be past the tip, where a tuft has no width.
@@ -259,8 +273,8 @@ TEST(Curve, PartsEndJustAtTheEnd) {
     Random random(6);
     for (int i = 0; i < 2000; ++i) {
         const Curve curve(random_walk(random, 5));
-        EXPECT_EQ(curve.along_at(0, 0.1), 0) << "seed 6, curve " << i;
-        EXPECT_EQ(curve.along_at(1, random.between(0, 1)), curve.arc_length()) << "seed 6, curve " << i;
+        EXPECT_EQ(along_at(curve, 0, 0.1), 0) << "seed 6, curve " << i;
+        EXPECT_EQ(along_at(curve, 1, random.between(0, 1)), curve.arc_length()) << "seed 6, curve " << i;
     }
 }
 

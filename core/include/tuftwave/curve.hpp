@@ -49,7 +49,7 @@ class Curve {
     /// they rise.
     /// @param parts       0 to 1
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
-    /// @param out         as many arc lengths, metres
+    /// @param out         as many arc lengths, metres; may be `parts`
     void along_at(std::span<const double> parts, double turn_worth, std::span<double> out) const;
 
     /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.

@@ -71,14 +71,28 @@ struct Ring {
     double half_thickness;  ///< along the frame's normal, metres
 };
 
+/// How much of each corner's distance from the centre line is kept, so that the surface does not fold over itself.
+struct Reach {
+    std::size_t first_ring = 0;  ///< before it, and behind the last one there are shares of, all of it is kept
+    std::size_t row = 0;         ///< shares per ring: one per corner, and the first ones once more
+    std::vector<float> shares;   ///< 0 to 1, ring by ring
+
+    /// The shares of a ring's corners; nothing where all of it is kept.
+    std::span<const float> of(std::size_t ring) const {
+        const std::size_t at = (ring - first_ring) * row;
+        return ring < first_ring || at >= shares.size() ? std::span<const float>() : std::span(shares).subspan(at, row);
+    }
+
+    friend bool operator==(const Reach&, const Reach&) = default;
+};
+
 /// A tuft cut into rings: everything about its mesh but the vertices.
 struct MeshPlan {
     std::size_t ring_count = 0;
     Vec3 root, tip;                      ///< the apexes of the two ends; the tip is the cap's middle where it is flat
     Vec3 root_direction, tip_direction;  ///< unit, outward at the two ends
     std::vector<Ring> rings;             ///< without the apexes; none where only the mesh's size is planned
-    std::vector<float> reach;  ///< per ring and corner, the share of its distance from the middle that is kept where
-                               ///< the tuft bends more tightly than it is thick; empty where nothing is cut back
+    Reach reach;
     bool flat_tip = false;     ///< p = 100: a cap at full width
     int sides = 0;
     int joints = 0;  ///< bones of the chain that the vertices hang on; 0 without a skin
