@@ -79,19 +79,14 @@ class RingChooser {
 
   private:
     std::vector<Ring> rings_at(std::span<const double> along) const {
-        constexpr std::size_t kMost = 64;  // at once
-        std::array<double, kMost> places, widths;
-        std::array<CurveFrame, kMost> frames;
+        std::vector<double> widths(along.size()), places(along.begin(), along.end());
+        for (double& place : places) place *= curve_.arc_length();
+        std::vector<CurveFrame> frames(along.size());
+        curve_.at(places, frames);
+        profile_widths(tuft_.taper, along, tuft_.widest_at / 100, widths, vectors_);
         std::vector<Ring> rings(along.size());
-        for (std::size_t from = 0; from < along.size(); from += kMost) {
-            const std::size_t count = std::min(kMost, along.size() - from);
-            const auto here = along.subspan(from, count);
-            for (std::size_t i = 0; i < count; ++i) places[i] = here[i] * curve_.arc_length();
-            curve_.at(std::span(places).first(count), std::span(frames).first(count));
-            profile_widths(tuft_.taper, here, tuft_.widest_at / 100, std::span(widths).first(count), vectors_);
-            for (std::size_t i = 0; i < count; ++i)
-                rings[from + i] = ring(frames[i], here[i], half_diameter_ * widths[i]);
-        }
+        for (std::size_t i = 0; i < along.size(); ++i)
+            rings[i] = ring(frames[i], along[i], half_diameter_ * widths[i]);
         if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
         return rings;
     }

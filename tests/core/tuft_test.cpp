@@ -113,7 +113,7 @@ TEST(Tuft, TighterThanItsOwnRadiusKeepsItsColumnsInOrder) {
     for (const double radius : {0.02, 0.01, 0.005, 0.002}) {
         Tuft ringlet = test::ringlet(radius);
         ringlet.diameter = 60;
-        EXPECT_FALSE(planned(ringlet).reach.empty()) << radius;
+        EXPECT_FALSE(planned(ringlet).reach.shares.empty()) << radius;
         expect_sound(ringlet);
     }
     for (const double diameter : {5.0, 20.0, 60.0, 100.0}) {
@@ -127,7 +127,7 @@ TEST(Tuft, TighterThanItsOwnRadiusKeepsItsColumnsInOrder) {
 TEST(Tuft, WiderThanItsBendIsNotCutBack) {
     Tuft ringlet = test::ringlet(0.05);
     ringlet.diameter = 10;
-    EXPECT_TRUE(planned(ringlet, {}, bald()).reach.empty());
+    EXPECT_TRUE(planned(ringlet, {}, bald()).reach.shares.empty());
 }
 
 TEST(Tuft, HasNoHolesOrNotANumberAtItsTips) {
