@@ -81,7 +81,7 @@ TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Steps& 
         CurveFrame& frame = samples[k + 1].frame;
         const Vec3 upright = rejected(from.normals[k], frame.tangent);  // rounding leaves a trace of tangent
         const double size = length(upright);
-        frame.normal = upright / size;
+        frame.normal = 1 / size * upright;
     }
 }
 
@@ -107,7 +107,7 @@ struct Curve::FirstSamples {
                 const Vec3 velocity = s.velocity(k).at(t);
                 const double speed = length(velocity);
                 s.speeds[half][k] = speed;
-                s.tangents[half].set(k, velocity / speed);
+                s.tangents[half].set(k, 1 / speed * velocity);
             }
         }
         for (std::size_t half = 1; half < kHalves; ++half) {
@@ -194,21 +194,20 @@ void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t 
             add_sample(segment, from, t, end, first.arcs[piece][k], turn);
             continue;
         }
-        sample_up_to(segment, from, t, first.speeds[half][k] > 0 ? middle : last,
-                     {end.speed > 0 ? end.tangent : last, end.speed}, 0);
+        const double speed = first.speeds[half][k];
+        sample_up_to(segment, from, t, {speed > 0 ? middle : last, speed}, {end.speed > 0 ? end.tangent : last, end.speed},
+                     0);
     }
 }
 
-void Curve::sample_up_to(std::size_t segment, double from, double t, const Vec3& between, const Heading& end,
+void Curve::sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
                          int halvings) {
     const Vec3 start = samples_.back().frame.tangent;
-    const double turn = length(between - start) + length(end.tangent - between);
+    const double turn = length(between.tangent - start) + length(end.tangent - between.tangent);
     if (turn > kSampleTurn && halvings < kDeepestHalving) {
         const double middle = (from + t) / 2;
-        const Heading halfway{between, segments_[segment].velocity().speed(middle)};
-        sample_up_to(segment, from, middle, heading_at(segment, (from + middle) / 2, start).tangent, halfway,
-                     halvings + 1);
-        sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between).tangent, end, halvings + 1);
+        sample_up_to(segment, from, middle, heading_at(segment, (from + middle) / 2, start), between, halvings + 1);
+        sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between.tangent), end, halvings + 1);
         return;
     }
     add_sample(segment, from, t, end, segments_[segment].velocity().arc(from, t), turn);
@@ -252,7 +251,7 @@ Curve::Heading Curve::heading_at(std::size_t segment, double t, const Vec3& othe
     return {speed > 0 ? velocity / speed : otherwise, speed};
 }
 
-std::size_t Curve::sample_before(double along, std::size_t guess) const {
+inline std::size_t Curve::sample_before(double along, std::size_t guess) const {
     while (guess + 2 < samples_.size() && samples_[guess + 1].along <= along) ++guess;
     if (samples_[guess].along <= along) return guess;
     const auto after = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, along,

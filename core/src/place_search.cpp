@@ -22,10 +22,9 @@ TUFTWAVE_BODY bezier::Velocity velocity_of(const PlaceSearch& s, std::size_t k) 
 TUFTWAVE_BODY void guess(PlaceSearch& s, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
         const double step = s.t1[k] - s.t0[k];
-        const double share = s.wanted[k] / s.whole[k];
+        const double share = s.wanted[k] / s.whole[k], usual_speed = s.whole[k] / step;
         const double x = share < kArcTolerance ? 0 : (share > 1 - kArcTolerance ? 1 : share), rest = 1 - x;
-        const double at_start = s.whole[k] / (step * s.speed0[k]);
-        const double at_end = s.whole[k] / (step * s.speed1[k]);
+        const double at_start = usual_speed / s.speed0[k], at_end = usual_speed / s.speed1[k];
         const double cubic = x * x * (3 - 2 * x) + at_start * x * rest * rest - at_end * x * x * rest;
         const double bounded = cubic < 1 ? cubic : x;
         s.t[k] = s.t0[k] + (cubic > 0 ? bounded : x) * step;
@@ -57,12 +56,12 @@ TUFTWAVE_BODY void frames(PlaceSearch& s, std::size_t count) {
         const Vec3 point = s.start[k] + curve.way_to(s.t[k]);
         const Vec3 velocity = curve.at(s.t[k]);
         const double speed = length(velocity);
-        const Vec3 tangent = bezier::chosen(speed > 0, velocity / speed, from.tangent);
+        const Vec3 tangent = bezier::chosen(speed > 0, 1 / speed * velocity, from.tangent);
         const Vec3 normal = bezier::carried_normal(from, point, tangent);
         const double size = length(normal);
         s.point.set(k, point);
         s.tangent.set(k, tangent);
-        s.normal.set(k, normal / size);
+        s.normal.set(k, 1 / size * normal);
         s.normal_size[k] = size > bezier::kLeastNormal ? size : 0.0;
     }
 }

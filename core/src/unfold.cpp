@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <memory>
 
 #include "bezier.hpp"
 #include "corners.hpp"
@@ -45,10 +45,10 @@ struct Pair {
 /// Whether a corner may fall back between two rings; quicker than looking at each. With the angle between the tangents
 /// the centre loses at least as much of its advance as the corners lose of theirs.
 bool may_fold(const Ring& a, const Ring& b) {
-    const Vec3 tangents = a.frame.tangent + b.frame.tangent, turn = b.frame.tangent - a.frame.tangent;
+    const Vec3 tangents = a.frame.tangent + b.frame.tangent;
     const double advance = (1 - kLeastAdvance) * dot(b.frame.point - a.frame.point, tangents);
-    const double width = widest(a) + widest(b);
-    return !(advance > 0 && width * width * dot(turn, turn) <= advance * advance);
+    const double width = widest(a) + widest(b), turn_square = 2 * (1 - dot(a.frame.tangent, b.frame.tangent));
+    return !(advance > 0 && width * width * turn_square <= advance * advance);
 }
 
 /// Ring `ring` and the one before it.
@@ -71,17 +71,18 @@ struct Window {
         : rings(some),
           folds(their_folds),
           corners(their_corners),
-          rows_(rings.size() * (2 * row() + 1)) {
-        sizes = std::span(rows_).first(rings.size() * row());
-        cuts = std::span(rows_).subspan(sizes.size(), sizes.size());
-        distances = std::span(rows_).last(rings.size());
+          rows_(std::make_unique_for_overwrite<double[]>(rings.size() * (2 * row() + 1))) {
+        sizes = {rows_.get(), rings.size() * row()};
+        cuts = {sizes.data() + sizes.size(), sizes.size()};
+        distances = {cuts.data() + cuts.size(), rings.size()};
+        std::ranges::fill(cuts, 0.0);
         for (std::size_t i = 0; i + 1 < rings.size(); ++i) distances[i] = distance(rings[i], rings[i + 1]);
     }
 
     std::size_t row() const { return corners.padded(); }
 
   private:
-    std::vector<double> rows_;
+    std::unique_ptr<double[]> rows_;
 };
 
 TUFTWAVE_BODY double larger(double a, double b) { return a > b ? a : b; }

@@ -84,7 +84,8 @@ class Curve {
     void make_segments(std::span<const Vec3> points);
     void measure();
     void measure(std::size_t segment, const FirstSamples& first, std::size_t k);
-    void sample_up_to(std::size_t segment, double from, double t, const Vec3& between, const Heading& end, int halvings);
+    void sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
+                      int halvings);
     void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn);
     void carry_normals();
     Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
