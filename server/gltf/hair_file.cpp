@@ -17,10 +17,20 @@ namespace {
 
 const std::string kGenerator = std::string("Tuftwave ") + kVersion;
 
-/// One colour channel from sRGB to linear. @param digits  two hexadecimal digits
+/// All values of a colour channel from sRGB to linear.
+std::array<double, 256> linear_channels() {
+    std::array<double, 256> channels;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const double value = static_cast<double>(i) / 255;
+        channels[i] = value <= 0.04045 ? value / 12.92 : elementary::pow((value + 0.055) / 1.055, 2.4);
+    }
+    return channels;
+}
+
+/// @param digits  two hexadecimal digits
 double linear_channel(const std::string& digits) {
-    const double value = std::stoi(digits, nullptr, 16) / 255.0;
-    return value <= 0.04045 ? value / 12.92 : elementary::pow((value + 0.055) / 1.055, 2.4);
+    static const std::array<double, 256> channels = linear_channels();
+    return channels[static_cast<std::size_t>(std::stoi(digits, nullptr, 16))];
 }
 
 std::array<double, 3> linear_color(const std::string& color) {
