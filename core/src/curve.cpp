@@ -29,6 +29,8 @@ constexpr double kVanishedTangent = 1e-6;
 /// Tangent of a hairpin as a share of a usual one: the turn takes about a tenth of the neighbouring segment.
 constexpr double kHairpinTangent = 0.1;
 
+constexpr double kUnknownArc = -1;  // of a piece, until all are measured at once
+
 /// Newton's steps towards a given arc length: three or four are usual, a vanishing tangent takes halvings.
 constexpr int kMostNewtonSteps = 50;
 
@@ -42,21 +44,20 @@ std::vector<Vec3> merged(std::span<const Vec3> points) {
     return kept;
 }
 
-/// The centripetal Catmull-Rom tangent at `b`, per unit of knot distance. @param d1, d2  knot distances before and
-/// after
-Vec3 centripetal_tangent(const Vec3& a, const Vec3& b, const Vec3& c, double d1, double d2) {
-    const Vec3 tangent = (b - a) / d1 - (c - a) / (d1 + d2) + (c - b) / d2;
+/// The centripetal Catmull-Rom tangent between two chords, per unit of knot distance.
+/// @param d1, d2  knot distances of the chords
+Vec3 centripetal_tangent(const Vec3& before, const Vec3& after, double d1, double d2) {
+    const Vec3 tangent = 1 / d1 * before - 1 / (d1 + d2) * (before + after) + 1 / d2 * after;
     const double usual = std::min(d1, d2);
     if (length(tangent) > kVanishedTangent * usual) return tangent;
-    return kHairpinTangent * usual * any_perpendicular(normalized(b - a));
+    return kHairpinTangent * usual * any_perpendicular(normalized(before));
 }
 
 /// Steps from sample to sample.
 struct Steps {
     static constexpr std::size_t kMost = 64;
     using Row = std::array<double, kMost>;
-    VectorRows<kMost> first, second;  // as in bezier::Step
-    alignas(64) Row twice_first, twice_second, coupling;
+    VectorRows<kMost> x, y, z;  // what a normal is multiplied by to be carried along, row by row
     alignas(64) Row forwards;  // 0 where the step tells nothing
     VectorRows<kMost> normals;
 };
@@ -66,11 +67,11 @@ TUFTWAVE_BODY void find_steps(const Sample* samples, std::size_t count, Steps& t
     for (std::size_t k = 0; k < count; ++k) {
         const CurveFrame &from = samples[k].frame, &next = samples[k + 1].frame;
         const bezier::Step step(from.point, from.tangent, next.point, next.tangent);
-        to.first.set(k, step.first);
-        to.second.set(k, step.second);
-        to.twice_first[k] = step.twice_first;
-        to.twice_second[k] = step.twice_second;
-        to.coupling[k] = step.coupling;
+        const Vec3 first = step.twice_first * step.first, second = step.twice_second * step.second,
+                   through = step.second - step.coupling * step.first;
+        to.x.set(k, Vec3{1, 0, 0} - first.x * step.first - second.x * through);
+        to.y.set(k, Vec3{0, 1, 0} - first.y * step.first - second.y * through);
+        to.z.set(k, Vec3{0, 0, 1} - first.z * step.first - second.z * through);
         to.forwards[k] = step.is_forwards ? 1.0 : 0.0;
     }
 }
@@ -84,6 +85,20 @@ TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Steps& 
         frame.normal = 1 / size * upright;
     }
 }
+
+/// Pieces of segments that are measured at once.
+struct Arcs {
+    static constexpr std::size_t kMost = 16;
+    VectorRows<kMost> constant, linear, quadratic;  // of the velocities
+    alignas(64) std::array<double, kMost> from, to, length;
+
+    TUFTWAVE_BODY static void find(Arcs& arcs, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const bezier::Velocity velocity{arcs.constant[k], arcs.linear[k], arcs.quadratic[k]};
+            arcs.length[k] = velocity.arc(arcs.from[k], arcs.to[k]);
+        }
+    }
+};
 
 }  // namespace
 
@@ -149,18 +164,21 @@ Curve::Curve(std::span<const Vec3> points, Vectors vectors) : vectors_(vectors) 
 
 void Curve::make_segments(std::span<const Vec3> p) {
     const std::size_t last = p.size() - 1;
-    const auto knot = [&](std::size_t i) { return std::sqrt(length(p[i + 1] - p[i])); };
-    // A phantom point mirrored at each end makes the end tangent the chord.
-    Vec3 tangent = (p[1] - p[0]) / knot(0);
     segments_.reserve(last);
+    // A phantom point mirrored at each end makes the end tangent the chord.
+    Vec3 chord = p[1] - p[0];
+    double knot = std::sqrt(length(chord));
+    Vec3 tangent = 1 / knot * chord;
     for (std::size_t i = 0; i < last; ++i) {
-        const double d = knot(i);
-        const Vec3 next =
-            i + 1 < last ? centripetal_tangent(p[i], p[i + 1], p[i + 2], d, knot(i + 1)) : (p[last] - p[last - 1]) / d;
+        const Vec3 after = i + 1 < last ? p[i + 2] - p[i + 1] : chord;
+        const double knot_after = i + 1 < last ? std::sqrt(length(after)) : knot;
+        const Vec3 next = i + 1 < last ? centripetal_tangent(chord, after, knot, knot_after) : 1 / knot * chord;
         const auto [constant, linear, quadratic] =
-            bezier::Velocity::of(p[i], p[i] + d / 3 * tangent, p[i + 1] - d / 3 * next, p[i + 1]);
+            bezier::Velocity::of(p[i], p[i] + knot / 3 * tangent, p[i + 1] - knot / 3 * next, p[i + 1]);
         segments_.push_back({p[i], p[i + 1], constant, linear, quadratic});
         tangent = next;
+        chord = after;
+        knot = knot_after;
     }
 }
 
@@ -181,6 +199,31 @@ void Curve::measure() {
         run_with<FirstSamples::take>(vectors_, first, padded);
         for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k);
     }
+    find_unknown_arcs();
+    for (std::size_t i = 1; i < samples_.size(); ++i) samples_[i].along += samples_[i - 1].along;
+}
+
+void Curve::find_unknown_arcs() {
+    std::array<Sample*, Arcs::kMost> found;
+    Arcs arcs;
+    std::size_t count = 0;
+    const auto measure = [&] {
+        run_with<Arcs::find>(vectors_, arcs, count);
+        for (std::size_t k = 0; k < count; ++k) found[k]->along = arcs.length[k];
+        count = 0;
+    };
+    for (Sample& sample : samples_) {
+        if (sample.along != kUnknownArc) continue;
+        const Segment& segment = segments_[sample.segment];
+        arcs.constant.set(count, segment.constant);
+        arcs.linear.set(count, segment.linear);
+        arcs.quadratic.set(count, segment.quadratic);
+        arcs.from[count] = sample.from;
+        arcs.to[count] = sample.t;
+        found[count++] = &sample;
+        if (count == Arcs::kMost) measure();
+    }
+    if (count > 0) measure();
 }
 
 void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k) {
@@ -210,14 +253,14 @@ void Curve::sample_up_to(std::size_t segment, double from, double t, const Headi
         sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between.tangent), end, halvings + 1);
         return;
     }
-    add_sample(segment, from, t, end, segments_[segment].velocity().arc(from, t), turn);
+    add_sample(segment, from, t, end, kUnknownArc, turn);
 }
 
 void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn) {
     const Sample& last = samples_.back();
     const Segment& bezier = segments_[segment];
     const double from_speed = from > 0 ? last.speed : length(bezier.constant);
-    samples_.push_back({segment, from, t, from_speed, end.speed, last.along + arc, last.turning + turn,
+    samples_.push_back({segment, from, t, from_speed, end.speed, arc, last.turning + turn,
                         {bezier.point(t), end.tangent, {}}});
 }
 
@@ -230,8 +273,7 @@ void Curve::carry_normals() {
         run_with<find_steps<Sample>>(vectors_, samples, count, steps);
         for (std::size_t k = 0; k < count; ++k) {
             if (steps.forwards[k] != 0) {
-                normal = bezier::carried(normal, steps.first[k], steps.second[k], steps.twice_first[k],
-                                         steps.twice_second[k], steps.coupling[k]);
+                normal = {dot(steps.x[k], normal), dot(steps.y[k], normal), dot(steps.z[k], normal)};
             } else {
                 const Vec3& tangent = samples[k + 1].frame.tangent;
                 const Vec3 upright = rejected(normal, tangent);
@@ -266,23 +308,51 @@ CurveFrame Curve::at(double along) const {
 }
 
 void Curve::at(std::span<const double> along, std::span<CurveFrame> out) const {
-    PlaceSearch search;
-    for (std::size_t from = 0; from < along.size(); from += PlaceSearch::kMost) {
-        const std::size_t count = std::min(PlaceSearch::kMost, along.size() - from);
-        find(along.subspan(from, count), out.subspan(from, count), search);
+    std::array<std::size_t, PlaceSearch::kMost> pieces;
+    std::size_t before = 0;
+    for (std::size_t from = 0; from < along.size(); from += pieces.size()) {
+        const auto here = along.subspan(from, std::min(pieces.size(), along.size() - from));
+        for (std::size_t k = 0; k < here.size(); ++k)
+            pieces[k] = before = sample_before(std::clamp(here[k], 0.0, arc_length()), before);
+        find(here, pieces, out.subspan(from, here.size()));
     }
 }
 
-void Curve::find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const {
+void Curve::at_parts(std::span<const double> parts, double turn_worth, std::span<double> along,
+                     std::span<CurveFrame> out) const {
+    const auto measure = [&](const Sample& sample) { return sample.along + turn_worth * sample.turning; };
+    const double whole = measure(samples_.back());
+    std::array<std::size_t, PlaceSearch::kMost> pieces;
+    std::size_t before = 0;  // the sample that a piece starts at
+    double start = 0, end = measure(samples_[1]);
+    for (std::size_t from = 0; from < parts.size(); from += pieces.size()) {
+        const std::size_t count = std::min(pieces.size(), parts.size() - from);
+        for (std::size_t k = 0; k < count; ++k) {
+            const double wanted = parts[from + k] * whole;
+            if (wanted < start) {
+                before = 0;
+                start = 0;
+                end = measure(samples_[1]);
+            }
+            while (wanted > end && before + 2 < samples_.size()) {
+                ++before;
+                start = end;
+                end = measure(samples_[before + 1]);
+            }
+            const double a = samples_[before].along, b = samples_[before + 1].along;
+            along[from + k] = wanted < end ? a + (wanted - start) / (end - start) * (b - a) : b;
+            pieces[k] = before;
+        }
+        find(along.subspan(from, count), pieces, out.subspan(from, count));
+    }
+}
+
+void Curve::find(std::span<const double> along, std::span<const std::size_t> pieces, std::span<CurveFrame> out) const {
     const std::size_t count = along.size();
-    std::array<std::size_t, PlaceSearch::kMost> samples;
-    std::size_t before = 0;
+    PlaceSearch search;
     for (std::size_t k = 0; k < count; ++k) {
-        before = sample_before(std::clamp(along[k], 0.0, arc_length()), before);
-        const Sample& a = samples_[before];
-        const Sample& b = samples_[before + 1];
+        const Sample &a = samples_[pieces[k]], &b = samples_[pieces[k] + 1];
         const Segment& bezier = segments_[b.segment];
-        samples[k] = before;
         search.start.set(k, bezier.start);
         search.constant.set(k, bezier.constant);
         search.linear.set(k, bezier.linear);
@@ -300,14 +370,14 @@ void Curve::find(std::span<const double> along, std::span<CurveFrame> out, Place
     search.find_parameters(count, vectors_);
     for (std::size_t k = 0; k < count; ++k) {
         if (search.missed[k] == 0 || !(search.whole[k] > 0)) continue;
-        const Segment& bezier = segments_[samples_[samples[k] + 1].segment];
+        const Segment& bezier = segments_[samples_[pieces[k] + 1].segment];
         search.t[k] = bezier.parameter(search.t0[k], search.t1[k], search.wanted[k], search.whole[k]);
     }
     search.find_frames(count, vectors_);
     for (std::size_t k = 0; k < count; ++k) {
         const Vec3 tangent = search.tangent[k];
         out[k] = {search.point[k], tangent, search.normal_size[k] > 0 ? search.normal[k] : any_perpendicular(tangent)};
-        if (!(search.whole[k] > 0)) out[k] = samples_[samples[k]].frame;
+        if (!(search.whole[k] > 0)) out[k] = samples_[pieces[k]].frame;
         if (along[k] <= 0) out[k] = samples_.front().frame;
         if (along[k] >= arc_length()) out[k] = samples_.back().frame;
     }
@@ -320,20 +390,6 @@ double Curve::turning_until(double along) const {
     const Sample& b = *(&a + 1);
     const double span = b.along - a.along;
     return span > 0 ? a.turning + (along - a.along) / span * (b.turning - a.turning) : a.turning;
-}
-
-void Curve::along_at(std::span<const double> parts, double turn_worth, std::span<double> out) const {
-    const auto measure = [&](const Sample& sample) { return sample.along + turn_worth * sample.turning; };
-    const double whole = measure(samples_.back());
-    std::size_t after = 1;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const double wanted = parts[k] * whole;
-        if (measure(samples_[after - 1]) >= wanted) after = 1;
-        while (after + 1 < samples_.size() && measure(samples_[after]) < wanted) ++after;
-        const Sample &a = samples_[after - 1], &b = samples_[after];
-        const double span = measure(b) - measure(a), share = (wanted - measure(a)) / span;
-        out[k] = span > 0 ? a.along + std::clamp(share, 0.0, 1.0) * (b.along - a.along) : a.along;
-    }
 }
 
 void Curve::face_away_from(const Vec3& center) {

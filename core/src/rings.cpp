@@ -70,23 +70,28 @@ class RingChooser {
         std::vector<double> along(static_cast<std::size_t>(count));
         for (std::size_t i = 0; i < along.size(); ++i)
             along[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
-        curve_.along_at(along, kTurnWorth * whole, along);
+        std::vector<CurveFrame> frames(along.size());
+        curve_.at_parts(along, kTurnWorth * whole, along, frames);
         for (double& place : along) place /= whole;
-        rings_ = rings_at(along);
+        rings_ = rings_of(along, frames);
     }
 
     std::vector<Ring> take() { return std::move(rings_); }
 
   private:
     std::vector<Ring> rings_at(std::span<const double> along) const {
-        std::vector<double> widths(along.size()), places(along.begin(), along.end());
+        std::vector<double> places(along.begin(), along.end());
         for (double& place : places) place *= curve_.arc_length();
         std::vector<CurveFrame> frames(along.size());
         curve_.at(places, frames);
+        return rings_of(along, frames);
+    }
+
+    std::vector<Ring> rings_of(std::span<const double> along, std::span<const CurveFrame> frames) const {
+        std::vector<double> widths(along.size());
         profile_widths(tuft_.taper, along, tuft_.widest_at / 100, widths, vectors_);
         std::vector<Ring> rings(along.size());
-        for (std::size_t i = 0; i < along.size(); ++i)
-            rings[i] = ring(frames[i], along[i], half_diameter_ * widths[i]);
+        for (std::size_t i = 0; i < along.size(); ++i) rings[i] = ring(frames[i], along[i], half_diameter_ * widths[i]);
         if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
         return rings;
     }

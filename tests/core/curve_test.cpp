@@ -243,7 +243,8 @@ TEST(Curve, TurningNeverFallsAndIsTheArcsAngle) {
 
 double along_at(const Curve& curve, double part, double turn_worth) {
     double along = 0;
-    curve.along_at({&part, 1}, turn_worth, {&along, 1});
+    CurveFrame frame;
+    curve.at_parts({&part, 1}, turn_worth, {&along, 1}, {&frame, 1});
     return along;
 }
 
@@ -264,8 +265,13 @@ TEST(Curve, ManyPartsAreThoseOfEachInAnyOrder) {
     const Curve curve(test::hairpin().points);
     const std::vector<double> parts{0.5, 0.1, 0, 0.45, 0.451, 1, 0.999, 0.3};
     std::vector<double> along(parts.size());
-    curve.along_at(parts, 0.1, along);
-    for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(along[i], along_at(curve, parts[i], 0.1)) << parts[i];
+    std::vector<CurveFrame> frames(parts.size());
+    curve.at_parts(parts, 0.1, along, frames);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(along[i], along_at(curve, parts[i], 0.1)) << parts[i];
+        EXPECT_TRUE(are_near(frames[i].point, curve.at(along[i]).point, 1e-15)) << parts[i];
+        EXPECT_TRUE(are_near(frames[i].normal, curve.at(along[i]).normal, 1e-15)) << parts[i];
+    }
 }
 
 // A rounding beyond the end would be past the tip, where a tuft has no width.

@@ -9,7 +9,6 @@
 
 namespace tuftwave {
 
-struct PlaceSearch;
 namespace bezier {
 struct Velocity;
 }
@@ -49,8 +48,9 @@ class Curve {
     /// they rise.
     /// @param parts       0 to 1
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
-    /// @param out         as many arc lengths, metres; may be `parts`
-    void along_at(std::span<const double> parts, double turn_worth, std::span<double> out) const;
+    /// @param along, out  as many arc lengths, metres, and the frames there
+    void at_parts(std::span<const double> parts, double turn_worth, std::span<double> along,
+                  std::span<CurveFrame> out) const;
 
     /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.
     void face_away_from(const Vec3& center);
@@ -87,10 +87,11 @@ class Curve {
     void sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
                       int halvings);
     void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn);
+    void find_unknown_arcs();
     void carry_normals();
     Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
     std::size_t sample_before(double along, std::size_t guess) const;
-    void find(std::span<const double> along, std::span<CurveFrame> out, PlaceSearch& search) const;
+    void find(std::span<const double> along, std::span<const std::size_t> pieces, std::span<CurveFrame> out) const;
 
     Vectors vectors_;
     std::vector<Segment> segments_;
