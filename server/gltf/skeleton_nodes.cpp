@@ -1,6 +1,7 @@
 #include "gltf/skeleton_nodes.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -17,6 +18,13 @@ double as_float(double value) {
 
 std::array<double, 3> to_array(const Vec3& v) { return {as_float(v.x), as_float(v.y), as_float(v.z)}; }
 std::array<double, 4> to_array(const Quat& q) { return {as_float(q.x), as_float(q.y), as_float(q.z), as_float(q.w)}; }
+
+/// @param out  x y z w; whole, so that the conversions become one
+void write_key(const Quat& q, float* out) {
+    const std::array<float, 4> key{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
+                                   static_cast<float>(q.w)};
+    std::memcpy(out, key.data(), sizeof key);
+}
 
 }  // namespace
 
@@ -92,11 +100,8 @@ void HeldClip::fill(std::span<const ChainMotion> motions) {
         for (std::size_t i = 0; i < values_[c].size(); ++i) {
             float* out = document_.data<float>(values_[c][i]).data();
             for (const std::size_t picture : keys_.pictures) {
-                const Quat& q = rotations[picture * nodes + i];
-                *out++ = static_cast<float>(q.x);
-                *out++ = static_cast<float>(q.y);
-                *out++ = static_cast<float>(q.z);
-                *out++ = static_cast<float>(q.w);
+                write_key(rotations[picture * nodes + i], out);
+                out += 4;
             }
         }
     }
