@@ -53,23 +53,20 @@ int Document::add_view(Purpose purpose, std::size_t bytes, std::size_t stride) {
 int Document::add_accessor(const Accessor& accessor) { return appended(model_->accessors, accessor); }
 
 void Document::expect(std::size_t nodes, std::size_t accessors) {
+    constexpr std::size_t kUsualText = 128;  // bytes of a node's
     model_->nodes.reserve(model_->nodes.size() + nodes);
+    model_->texts.reserve(model_->texts.size() + nodes * kUsualText);
     model_->accessors.reserve(model_->accessors.size() + accessors);
 }
 
-int Document::add_node(const Node& node) {
-    const int added = appended(model_->nodes, Model::Placed{node, {}, {}});
+int Document::add_node(const Node& node, std::optional<int> parent) {
+    const int added = appended(model_->nodes, Model::Placed{parent, model_->add_members(node)});
     if (node.mesh) {
         Model::Mesh& mesh = model_->meshes[static_cast<std::size_t>(*node.mesh)];
         mesh.node = added;
         mesh.skin = node.skin;
     }
     return added;
-}
-
-void Document::add_child(int parent, int child) {
-    std::vector<int>& children = model_->nodes[static_cast<std::size_t>(parent)].children;
-    children.push_back(child);
 }
 
 void Document::add_to_scene(int node) { model_->roots.push_back(node); }
@@ -92,7 +89,7 @@ void Document::add_animation(const std::string& name, int times, Interpolation i
 }
 
 void Document::set_node_extras(int node, const nlohmann::json& extras) {
-    model_->nodes[static_cast<std::size_t>(node)].extras = extras_text(extras);
+    model_->nodes[static_cast<std::size_t>(node)].extras = model_->add_text(extras_text(extras));
 }
 
 void Document::set_asset_extras(std::string extras) { model_->extras = std::move(extras); }

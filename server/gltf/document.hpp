@@ -45,7 +45,7 @@ class Document {
         bool is_normalized = false;  ///< whether its whole numbers stand for 0..1 or -1..1
     };
     struct Node {
-        std::string name;
+        std::string_view name;
         std::optional<std::array<double, 3>> translation;
         std::optional<std::array<double, 4>> rotation;  ///< x y z w
         std::optional<int> mesh, skin;
@@ -73,8 +73,8 @@ class Document {
     int add_accessor(const Accessor& accessor);
     /// Makes room for what is about to be added.
     void expect(std::size_t nodes, std::size_t accessors);
-    int add_node(const Node& node);
-    void add_child(int parent, int child);
+    /// @param parent  a node that is there already
+    int add_node(const Node& node, std::optional<int> parent = std::nullopt);
     void add_to_scene(int node);
     int add_material(const std::string& name, std::array<double, 3> linear_color);
     int add_mesh(const std::string& name, const Primitive& primitive);

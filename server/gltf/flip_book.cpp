@@ -55,8 +55,7 @@ void FlipBook::reserve_pages(int root, int material) {
         const std::string name = Names::joint("picture", n + 1);
         const int mesh = document_.add_mesh(name, {page.positions, page.normals, uvs_, {}, {}, indices_, material});
         // Where no clip is played, the first picture alone is to be seen.
-        page.node = document_.add_node({name, {}, {}, mesh, {}, n == 0 ? 1.0 : 0.0});
-        document_.add_child(root, page.node);
+        page.node = document_.add_node({name, {}, {}, mesh, {}, n == 0 ? 1.0 : 0.0}, root);
         pages_.push_back(page);
     }
 }

@@ -33,7 +33,7 @@ void write_value(const Json& value, std::string& out) {
 
 }  // namespace
 
-JsonText& JsonText::text(const std::string& value) {
+JsonText& JsonText::text(std::string_view value) {
     if (!std::all_of(value.begin(), value.end(), is_plain)) return raw(Json(value).dump());
     return raw("\"").raw(value).raw("\"");
 }

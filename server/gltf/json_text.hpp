@@ -23,8 +23,8 @@ class JsonText {
         bytes_ += text.size();
         return *this;
     }
-    JsonText& text(const std::string& value);  ///< in quotes, escaped
-    JsonText& number(double value);            ///< the shortest digits that say it, with a point or an exponent
+    JsonText& text(std::string_view value);  ///< in quotes, escaped
+    JsonText& number(double value);          ///< the shortest digits that say it, with a point or an exponent
     JsonText& number(std::size_t value);
     JsonText& number(int value);
 

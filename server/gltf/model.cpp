@@ -12,25 +12,47 @@ using Model = Document::Model;
 
 constexpr double kSame = 1e-12;
 
-std::string_view word_of(Document::Shape shape) {
+// Words are chosen by branches, not by value, so that each is copied as a text of known length.
+
+void write_shape(Document::Shape shape, JsonText& to) {
     switch (shape) {
         case Document::Shape::kScalar:
-            return "\"SCALAR\"";
+            to.raw("\"SCALAR\"");
+            return;
         case Document::Shape::kVec2:
-            return "\"VEC2\"";
+            to.raw("\"VEC2\"");
+            return;
         case Document::Shape::kVec3:
-            return "\"VEC3\"";
+            to.raw("\"VEC3\"");
+            return;
         case Document::Shape::kVec4:
-            return "\"VEC4\"";
+            to.raw("\"VEC4\"");
+            return;
         case Document::Shape::kMat4:
-            return "\"MAT4\"";
+            to.raw("\"MAT4\"");
+            return;
     }
-    return "";
+}
+
+void write_path(Document::Path path, JsonText& to) {
+    if (path == Document::Path::kRotation) {
+        to.raw("\"rotation\"");
+    } else {
+        to.raw("\"scale\"");
+    }
+}
+
+void write_interpolation(Document::Interpolation interpolation, JsonText& to) {
+    if (interpolation == Document::Interpolation::kStep) {
+        to.raw("\"STEP\"");
+    } else {
+        to.raw("\"LINEAR\"");
+    }
 }
 
 template <class Numbers>
-void write_numbers(JsonText& to, std::string_view key, const Numbers& numbers) {
-    to.key(key).open('[');
+void write_numbers(JsonText& to, const Numbers& numbers) {
+    to.open('[');
     for (const auto number : numbers) to.next().number(number);
     to.close(']');
 }
@@ -59,11 +81,11 @@ void write_accessors(const Model& model, JsonText& to) {
         to.key("componentType").number(static_cast<int>(accessor.component));
         to.key("count").number(accessor.count);
         if (bounded != nullptr) {
-            write_numbers(to, "max", bounded->most);
-            write_numbers(to, "min", bounded->least);
+            write_numbers(to.key("max"), bounded->most);
+            write_numbers(to.key("min"), bounded->least);
         }
         if (accessor.is_normalized) to.key("normalized").raw("true");
-        to.key("type").raw(word_of(accessor.shape));
+        write_shape(accessor.shape, to.key("type"));
     });
 }
 
@@ -73,14 +95,14 @@ void write_animations(const Model& model, JsonText& to) {
         write_list(to, "channels", animation.channels, [&](const Document::Channel& channel) {
             to.key("sampler").number(sampler++);
             to.key("target").open('{').key("node").number(channel.node);
-            to.key("path").raw(channel.path == Document::Path::kRotation ? "\"rotation\"" : "\"scale\"").close('}');
+            write_path(channel.path, to.key("path"));
+            to.close('}');
         });
         if (!animation.extras.empty()) to.key("extras").raw(animation.extras);
         to.key("name").text(animation.name);
         write_list(to, "samplers", animation.channels, [&](const Document::Channel& channel) {
             to.key("input").number(animation.times);
-            to.key("interpolation")
-                .raw(animation.interpolation == Document::Interpolation::kStep ? "\"STEP\"" : "\"LINEAR\"");
+            write_interpolation(animation.interpolation, to.key("interpolation"));
             to.key("output").number(channel.values);
         });
     });
@@ -126,7 +148,7 @@ void write_materials(const Model& model, JsonText& to) {
         to.key("name").text(material.name).key("pbrMetallicRoughness").open('{');
         const auto& color = material.color;
         if (!std::all_of(color.begin(), color.end(), is_one))  // white need not be said
-            write_numbers(to, "baseColorFactor", std::array<double, 4>{color[0], color[1], color[2], 1.0});
+            write_numbers(to.key("baseColorFactor"), std::array<double, 4>{color[0], color[1], color[2], 1.0});
         to.key("metallicFactor").number(0.0).key("roughnessFactor").number(0.9).close('}');
     });
 }
@@ -146,26 +168,63 @@ void write_meshes(const Model& model, JsonText& to) {
     });
 }
 
+/// The children of each of a model's nodes, in order.
+class Children {
+  public:
+    explicit Children(const std::vector<Model::Placed>& nodes) : families_(nodes.size()) {
+        for (std::size_t i = nodes.size(); i-- > 0;) {
+            if (!nodes[i].parent) continue;
+            int& first = families_[static_cast<std::size_t>(*nodes[i].parent)].first_child;
+            families_[i].next_sibling = first;
+            first = static_cast<int>(i);
+        }
+    }
+
+    void write(std::size_t node, JsonText& to) const {
+        if (families_[node].first_child == kNone) return;
+        to.key("children").open('[');
+        for (int child = families_[node].first_child; child != kNone;) {
+            to.next().number(child);
+            child = families_[static_cast<std::size_t>(child)].next_sibling;
+        }
+        to.close(']');
+    }
+
+  private:
+    static constexpr int kNone = -1;
+    struct Family {
+        int first_child = kNone, next_sibling = kNone;
+    };
+
+    std::vector<Family> families_;
+};
+
 void write_nodes(const Model& model, JsonText& to) {
+    const Children children(model.nodes);
+    std::size_t at = 0;
     write_list(to, "nodes", model.nodes, [&](const Model::Placed& placed) {
-        if (!placed.children.empty()) write_numbers(to, "children", placed.children);
-        if (!placed.extras.empty()) to.key("extras").raw(placed.extras);
-        if (!placed.members.empty()) to.next().raw(placed.members);
+        children.write(at++, to);
+        if (placed.extras.bytes > 0) to.key("extras").raw(model.text(placed.extras));
+        if (placed.members.bytes > 0) to.next().raw(model.text(placed.members));
     });
 }
 
 void write_skins(const Model& model, JsonText& to) {
     write_list(to, "skins", model.skins, [&](const Model::Skin& skin) {
         to.key("inverseBindMatrices").number(skin.matrices);
-        write_numbers(to, "joints", skin.joints);
+        write_numbers(to.key("joints"), skin.joints);
         to.key("skeleton").number(skin.root);
     });
 }
 
 }  // namespace
 
-Document::Model::Placed::Placed(const Node& node, std::vector<int> its_children, std::string its_extras)
-    : children(std::move(its_children)), extras(std::move(its_extras)) {
+Model::Text Document::Model::add_text(std::string_view text) {
+    texts += text;
+    return {texts.size() - text.size(), text.size()};
+}
+
+Model::Text Document::Model::add_members(const Node& node) {
     constexpr std::size_t kMostNumbers = 512, kMostEscaped = 6;  // bytes of all numbers and keys, of a letter
     std::array<char, 2 * kMostNumbers> usual;                    // a name has 15 bytes in our own files
     std::string large;
@@ -175,11 +234,11 @@ Document::Model::Placed::Placed(const Node& node, std::vector<int> its_children,
     JsonText to(room);
     if (node.mesh) to.key("mesh").number(*node.mesh);
     if (!node.name.empty()) to.key("name").text(node.name);
-    if (node.rotation) write_numbers(to, "rotation", *node.rotation);
-    if (node.scale) write_numbers(to, "scale", std::array<double, 3>{*node.scale, *node.scale, *node.scale});
+    if (node.rotation) write_numbers(to.key("rotation"), *node.rotation);
+    if (node.scale) write_numbers(to.key("scale"), std::array<double, 3>{*node.scale, *node.scale, *node.scale});
     if (node.skin) to.key("skin").number(*node.skin);
-    if (node.translation) write_numbers(to, "translation", *node.translation);
-    members.assign(room, to.bytes());
+    if (node.translation) write_numbers(to.key("translation"), *node.translation);
+    return add_text({room, to.bytes()});
 }
 
 std::size_t size_of(Document::Component component) {
@@ -221,8 +280,7 @@ std::size_t most_json_bytes(const Model& model) {
     for (const auto& extension : model.extensions) bytes += 2 * (extension.size() * kCharacter + 3);
     bytes += model.views.size() * kView + model.accessors.size() * kAccessor + model.roots.size() * kIndex;
     for (const Document::Accessor& accessor : model.accessors) bytes += accessor.is_bounded ? kBounds : 0;
-    for (const Model::Placed& node : model.nodes)
-        bytes += kNode + node.members.size() + node.extras.size() + node.children.size() * kIndex;
+    bytes += model.nodes.size() * (kNode + kIndex) + model.texts.size();
     for (const Model::Material& material : model.materials) bytes += kMaterial + material.name.size() * kCharacter;
     for (const Model::Mesh& mesh : model.meshes) bytes += kMesh + mesh.name.size() * kCharacter;
     for (const Model::Skin& skin : model.skins) bytes += kSkin + skin.joints.size() * kIndex;
@@ -271,7 +329,7 @@ void write_json(const Model& model, JsonText& to, const std::function<void(JsonT
     write_meshes(model, to);
     write_nodes(model, to);
     to.key("scene").number(0).key("scenes").open('[').next().open('{');
-    if (!model.roots.empty()) write_numbers(to, "nodes", model.roots);
+    if (!model.roots.empty()) write_numbers(to.key("nodes"), model.roots);
     to.close('}').close(']');
     write_skins(model, to);
     to.close('}');

@@ -29,12 +29,14 @@ struct Document::Model {
         int accessor;
         std::vector<double> least, most;
     };
+    /// Where in `texts` one of them stands.
+    struct Text {
+        std::size_t first = 0, bytes = 0;
+    };
     struct Placed {
-        Placed(const Node& node, std::vector<int> its_children, std::string its_extras);
-
-        std::vector<int> children;
-        std::string extras;
-        std::string members;  ///< all others as they will stand in the file, so that numbers are made text once
+        std::optional<int> parent;  ///< that comes before it
+        Text members;               ///< but for children and extras, as in the file: numbers are made text once
+        Text extras = {};
     };
     struct Material {
         std::string name;
@@ -63,6 +65,7 @@ struct Document::Model {
     std::vector<Accessor> accessors;
     std::vector<Bounded> bounds;  ///< in no order
     std::vector<Placed> nodes;
+    std::string texts;  ///< of nodes, in no order
     std::vector<int> roots;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
@@ -73,6 +76,10 @@ struct Document::Model {
     std::size_t bytes = 0;     ///< of the buffer
     std::size_t fallback = 0;  ///< bytes of the buffer that packed views are views of, which is in no file
     std::vector<std::string_view> extensions;  ///< that whoever reads the file must know, in alphabetical order
+
+    std::string_view text(const Text& text) const { return std::string_view(texts).substr(text.first, text.bytes); }
+    Text add_text(std::string_view text);
+    Text add_members(const Node& node);
 };
 
 /// Bytes of a number.

@@ -159,7 +159,7 @@ class Quantizer {
         const double edge = grid.edge;
         if (mesh.skin) return carry_back(model_.skins[place(*mesh.skin)].matrices, origin, edge);
         Model::Placed& node = model_.nodes[place(mesh.node)];
-        node = Model::Placed({mesh.name, origin, {}, static_cast<int>(index), {}, edge}, node.children, node.extras);
+        node.members = model_.add_members({mesh.name, origin, {}, static_cast<int>(index), {}, edge});
     }
 
     /// Puts what carries positions back before each of a skin's matrices.

@@ -46,15 +46,13 @@ void SkeletonNodes::add_chain(const Chain& chain, const std::string& name) {
     Vec3 origin;
     if (!(chain.parent_rotation == Quat{})) {
         global = normalized(chain.parent_rotation);
-        parent = document_.add_node({Names::joint(name, 0), {}, to_array(global), {}, {}});
-        document_.add_child(root_, parent);
+        parent = document_.add_node({Names::joint(name, 0), {}, to_array(global), {}, {}}, root_);
     }
     for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
         const Vec3 translation = rotated(inverse(global), chain.nodes[i] - origin);
         const Quat rotation = normalized(chain.rest_rotations[i]);
         const int node =
-            document_.add_node({Names::joint(name, i + 1), to_array(translation), to_array(rotation), {}, {}});
-        document_.add_child(parent, node);
+            document_.add_node({Names::joint(name, i + 1), to_array(translation), to_array(rotation), {}, {}}, parent);
         if (i + 1 < chain.nodes.size()) nodes.joints.push_back(node);
         parent = node;
         global = global * rotation;

@@ -25,7 +25,8 @@ TEST(Model, WritesKeysInAlphabeticalOrderAndLeavesOutWhatIsNotSaid) {
     model.bounds = {{1, {0.5}, {1.5}}};
     model.materials = {{"white", {1, 1, 1}}, {"red", {1, 0, 0}}};
     model.meshes = {{"m", {0, 1, 2, 3, {}, 5, 6}}};
-    model.nodes = {{{"n", std::array{0.0, 1.0, 2.0}, {}, 0, 0, 2.0}, {1}, "{}"}, {{"", {}, {}, {}, {}}, {}, ""}};
+    model.nodes = {{{}, model.add_members({"n", std::array{0.0, 1.0, 2.0}, {}, 0, 0, 2.0}), model.add_text("{}")},
+                   {0, model.add_members({"", {}, {}, {}, {}})}};
     model.roots = {0};
     model.skins = {{{0, 1}, 4, 0}};
     EXPECT_EQ(
@@ -49,12 +50,14 @@ TEST(Model, KnowsHowLongItsTextIsAtMost) {
     constexpr int kLongest = std::numeric_limits<int>::min();
     constexpr std::size_t kLargest = std::numeric_limits<std::size_t>::max();
     constexpr double kDigits = -1.2345678901234567e-308;
+    constexpr int kRoot = 0;
     const std::string name(100, '\x01');
     Document::Model model;
     const auto is_within = [&] { return text_of(model).size() <= most_json_bytes(model); };
     model.generator = name;
     model.extras = R"({"a":1})";
     model.bytes = kLargest;
+    model.nodes.push_back({{}, model.add_members({"root", {}, {}, {}, {}})});
     EXPECT_TRUE(is_within());
     for (int i = 0; i < 50; ++i) {
         model.views.push_back({Document::Purpose::kAttribute, kLargest, kLargest, kLargest});
@@ -74,7 +77,7 @@ TEST(Model, KnowsHowLongItsTextIsAtMost) {
                                   kLongest,
                                   kLongest,
                                   kDigits};
-        model.nodes.push_back({node, {kLongest, kLongest}, R"({"b":2})"});
+        model.nodes.push_back({kRoot, model.add_members(node), model.add_text(R"({"b":2})")});
         EXPECT_TRUE(is_within()) << "nodes";
         model.roots.push_back(kLongest);
         EXPECT_TRUE(is_within()) << "roots";
