@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "gltf/double_text.hpp"
 
 namespace tuftwave::server::gltf {
 namespace {
@@ -47,7 +50,10 @@ JsonText& JsonText::digits(const Write& write) {
 }
 
 JsonText& JsonText::number(double value) {
-    return digits([&](char* from, char* to) { return nlohmann::detail::to_chars(from, to, value); });
+    // Most numbers of a skeleton, and no search for digits.
+    if (value == 1) return raw("1.0");
+    if (value == 0 && !std::signbit(value)) return raw("0.0");
+    return digits([&](char* from, char*) { return write_double(from, value); });
 }
 
 JsonText& JsonText::number(std::size_t value) {
