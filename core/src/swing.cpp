@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::size_t kLanes = 8;  // bones at a time
 
+// Rows that a loop reads and writes; none is both.
+using In = const double* __restrict;
+using Out = double* __restrict;
+
 /// A number of each of some bones. Loops over nothing else become vectors.
 struct Lanes {
     double at[kLanes];
@@ -34,7 +38,7 @@ class Rows {
         : bones(bone_count),
           pictures(phases.size()),
           row_(in_lanes(bones) + kLanes),
-          rows_((kRowCount + pictures) * row_ + 3 * in_lanes(pictures)) {
+          rows_((kRowCount + 3 * pictures) * row_ + 3 * in_lanes(pictures)) {
         std::copy(phases.begin(), phases.end(), phase());
     }
 
@@ -47,20 +51,25 @@ class Rows {
     double* envelope() { return row(3); }
     // Of bones, behind what the chain hangs on: its angles are 0.
     double* lifted(std::size_t part) { return row(4 + part); }  // x, y, z, w at rest and lifted, in model space
-    double* angles(std::size_t picture) { return row(kRowCount + picture); }
-    double* shifts() { return row(8); }  // to be taken out of the angles
+    double* shifts() { return row(8); }                         // to be taken out of the angles
     // Of bones.
     double* still(std::size_t part) { return row(9 + part); }    // A
     double* turned(std::size_t part) { return row(13 + part); }  // B
-    double* half_cosine() { return row(17); }                    // of a bone's own turn in the picture before
-    double* half_sine() { return row(18); }
+    double* runs() { return row(17); }                           // along the line
+    double* sums() { return row(18); }                           // of the angles in all pictures
+    double* rests() { return row(19); }                          // of those sums
+    // Of one picture.
+    double* heights(std::size_t picture) { return row(kRowCount + 3 * picture); }  // of nodes
+    double* angles(std::size_t picture) { return row(kRowCount + 3 * picture + 1); }
+    double* half_cosine(std::size_t picture) { return row(kRowCount + 3 * picture); }  // of a bone's own turn
+    double* half_sine(std::size_t picture) { return row(kRowCount + 3 * picture + 2); }
     // Of pictures.
-    double* phase() { return row(kRowCount + pictures); }
+    double* phase() { return row(kRowCount + 3 * pictures); }
     double* phase_cosine() { return phase() + in_lanes(pictures); }
     double* phase_sine() { return phase_cosine() + in_lanes(pictures); }
 
   private:
-    static constexpr std::size_t kRowCount = 19;
+    static constexpr std::size_t kRowCount = 20;
 
     double* row(std::size_t index) { return rows_.data() + index * row_; }
 
@@ -78,6 +87,7 @@ void write_line(const Chain& chain, const Wave& wave, Rows& of) {
     }
     along[of.bones] = kPi;
     for (std::size_t i = 0; i <= of.bones; ++i) of.envelope()[i] = wave_envelope(wave, along[i]);
+    for (std::size_t i = 0; i < of.bones; ++i) of.runs()[i] = along[i + 1] - along[i];
 }
 
 void write_lifted(const Chain& chain, const Laying& laying, Rows& of) {
@@ -127,89 +137,97 @@ TUFTWAVE_BODY void write_sincos(const double* x, double divisor, std::size_t cou
     }
 }
 
-/// Writes the chords' angles of the hair line, and what is to be taken out of them, of the bones from `first` on.
-TUFTWAVE_BODY void write_angles(Rows& of, std::size_t first, double one_over_s, Shift shift) {
-    const double *const cosine = of.cosine() + first, *const next_cosine = of.cosine() + first + 1;
-    const double *const sine = of.sine() + first, *const next_sine = of.sine() + first + 1;
-    const double *const envelope = of.envelope() + first, *const next_envelope = of.envelope() + first + 1;
-    const double *const along = of.along() + first, *const next_along = of.along() + first + 1;
+// Loops over whole rows.
+
+TUFTWAVE_BODY void write_heights(In envelope, In cosine, In sine, double phase_cosine, double phase_sine,
+                                 double one_over_s, std::size_t count, Out heights) {
+    for (std::size_t i = 0; i < count; ++i)  // eq. (1), with cos(x/k - psi) as a sum
+        heights[i] = envelope[i] * ((cosine[i] * phase_cosine + sine[i] * phase_sine) + one_over_s);
+}
+
+TUFTWAVE_BODY void write_angles(In heights, In runs, std::size_t count, Out angles) {
+    for (std::size_t i = 0; i < count; ++i)
+        angles[i] = elementary::bodies::slope_angle(heights[i + 1] - heights[i], runs[i]);
+}
+
+TUFTWAVE_BODY void add_angles(In angles, std::size_t count, Out sums, Out rests) {
     // The sum must be the same in any order, so that a chain some pictures ahead has the same mean to the last bit: of
     // angles rounded to multiples of 2^-44, and of the rest to those of 2^-90, sums of two hundred are exact.
     constexpr double kToCoarse = 0x1.8p8, kToFine = 0x1.8p-38;
-    Lanes coarse_sum{}, fine_sum{}, least{}, shifts;
-    for (std::size_t n = 0; n < of.pictures; ++n) {
-        const double c = of.phase_cosine()[n], s = of.phase_sine()[n];
-        Lanes angles;
-        for (std::size_t i = 0; i < kLanes; ++i) {  // eq. (1), with cos(x/k - psi) as a sum
-            const double height = envelope[i] * ((cosine[i] * c + sine[i] * s) + one_over_s);
-            const double next = next_envelope[i] * ((next_cosine[i] * c + next_sine[i] * s) + one_over_s);
-            const double run = std::max(next_along[i] - along[i], 0.0);  // behind the tip there is none
-            const double angle = elementary::bodies::slope_angle(next - height, run);
-            const double coarse = (angle + kToCoarse) - kToCoarse;
-            coarse_sum.at[i] += coarse;
-            fine_sum.at[i] += ((angle - coarse) + kToFine) - kToFine;
-            least.at[i] = n == 0 ? angle : std::min(least.at[i], angle);
-            angles.at[i] = angle;
-        }
-        store(angles, of.angles(n) + 1 + first);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double coarse = (angles[i] + kToCoarse) - kToCoarse;
+        sums[i] += coarse;
+        rests[i] += ((angles[i] - coarse) + kToFine) - kToFine;
     }
-    const auto count = static_cast<double>(of.pictures);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double mean = (coarse_sum.at[i] + fine_sum.at[i]) / count;
-        shifts.at[i] = shift == Shift::kNone ? 0 : shift == Shift::kLeast ? least.at[i] : mean;
-    }
-    store(shifts, of.shifts() + 1 + first);
 }
 
-/// Writes the local rotations of the bones from `first` on, as many as there are lanes. Of q and -q, which are one
-/// rotation, the first picture takes that with w >= 0, the others that nearer to the picture before: on a great circle,
-/// that is as near as the cosines and sines are.
-TUFTWAVE_BODY void write_rotations(Rows& of, std::size_t first, std::size_t picture, Quat* out) {
-    const double *const ax = of.still(0) + first, *const bx = of.turned(0) + first;
-    const double *const ay = of.still(1) + first, *const by = of.turned(1) + first;
-    const double *const az = of.still(2) + first, *const bz = of.turned(2) + first;
-    const double *const aw = of.still(3) + first, *const bw = of.turned(3) + first;
-    const double *const shift = of.shifts() + 1 + first, *const parent_shift = of.shifts() + first;
-    const double *const angle = of.angles(picture) + 1 + first, *const parent = of.angles(picture) + first;
-    const double* const before_cosine = (picture == 0 ? of.still(3) : of.half_cosine()) + first;
-    const double* const before_sine = (picture == 0 ? of.turned(3) : of.half_sine()) + first;
-    Lanes cosine, sine;
-    double turns[4 * kLanes];
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double half = ((angle[i] - shift[i]) - (parent[i] - parent_shift[i])) / 2;
-        const elementary::SinCos turn = elementary::bodies::close_sincos(half);
-        const double sign = turn.cos * before_cosine[i] + turn.sin * before_sine[i] < 0 ? -1 : 1;
-        const double c = sign * turn.cos, s = sign * turn.sin;
-        cosine.at[i] = c;
-        sine.at[i] = s;
-        turns[4 * i] = c * ax[i] + s * bx[i];
-        turns[4 * i + 1] = c * ay[i] + s * by[i];
-        turns[4 * i + 2] = c * az[i] + s * bz[i];
-        turns[4 * i + 3] = c * aw[i] + s * bw[i];
-    }
-    store(cosine, of.half_cosine() + first);
-    store(sine, of.half_sine() + first);
-    for (std::size_t i = 0; i < kLanes; ++i)
-        out[i] = {turns[4 * i], turns[4 * i + 1], turns[4 * i + 2], turns[4 * i + 3]};
+TUFTWAVE_BODY void write_least(In angles, std::size_t count, Out least) {
+    for (std::size_t i = 0; i < count; ++i) least[i] = std::min(least[i], angles[i]);
 }
 
-/// @param out   what is written past a picture's rotations is written over by the next
-/// @param room  for one picture in whole lanes, where they would pass the end of all
-TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Vec3& axis, std::span<Quat> out,
-                               std::span<Quat> room) {
+/// Writes what is to be taken out of the angles.
+TUFTWAVE_BODY void write_shifts(Rows& of, Shift shift, std::size_t count) {
+    double* const shifts = of.shifts() + 1;
+    if (shift == Shift::kLeast) {
+        std::copy_n(of.angles(0) + 1, count, shifts);
+        for (std::size_t n = 1; n < of.pictures; ++n) write_least(of.angles(n) + 1, count, shifts);
+    }
+    if (shift == Shift::kMean) {
+        for (std::size_t n = 0; n < of.pictures; ++n) add_angles(of.angles(n) + 1, count, of.sums(), of.rests());
+        const auto pictures = static_cast<double>(of.pictures);
+        for (std::size_t i = 0; i < count; ++i) shifts[i] = (of.sums()[i] + of.rests()[i]) / pictures;
+    }
+}
+
+/// @param angles, shifts  behind the parents'
+TUFTWAVE_BODY void write_half_turns(In angles, In shifts, std::size_t count, Out cosine, Out sine) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle = (angles[i + 1] - shifts[i + 1]) - (angles[i] - shifts[i]);
+        const elementary::SinCos turn = elementary::bodies::close_sincos(angle / 2);
+        cosine[i] = turn.cos;
+        sine[i] = turn.sin;
+    }
+}
+
+/// Of q and -q, which are one rotation, takes that nearer to the picture before: on a great circle, that is as near as
+/// the cosines and sines are.
+TUFTWAVE_BODY void choose_signs(In cosine_before, In sine_before, std::size_t count, Out cosine, Out sine) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double sign = cosine[i] * cosine_before[i] + sine[i] * sine_before[i] < 0 ? -1 : 1;
+        cosine[i] *= sign;
+        sine[i] *= sign;
+    }
+}
+
+/// Writes the local rotations in one picture.
+TUFTWAVE_BODY void write_rotations(Rows& of, std::size_t picture, Quat* __restrict out) {
+    In ax = of.still(0), ay = of.still(1), az = of.still(2), aw = of.still(3);
+    In bx = of.turned(0), by = of.turned(1), bz = of.turned(2), bw = of.turned(3);
+    In cosine = of.half_cosine(picture), sine = of.half_sine(picture);
+    for (std::size_t i = 0; i < of.bones; ++i) {
+        const double c = cosine[i], s = sine[i];
+        out[i] = {c * ax[i] + s * bx[i], c * ay[i] + s * by[i], c * az[i] + s * bz[i], c * aw[i] + s * bw[i]};
+    }
+}
+
+TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Vec3& axis, std::span<Quat> rotations) {
     // k: spatial period, s: lightness
     const double k = wave.spatial_period, s = wave.lightness;
+    const std::size_t bones = in_lanes(of.bones), nodes = in_lanes(of.bones + 1);
     for (std::size_t first = 0; first < of.bones; first += kLanes) write_circles(of, first, axis);
     write_sincos(of.along(), k, of.bones + 1, of.sine(), of.cosine());
     write_sincos(of.phase(), 1, of.pictures, of.phase_sine(), of.phase_cosine());
-    for (std::size_t first = 0; first < of.bones; first += kLanes) write_angles(of, first, 1 / s, shift);
-    for (std::size_t n = 0; n < of.pictures; ++n) {
-        Quat* const place = &out[n * (of.bones + 1)];
-        const bool fits = n * (of.bones + 1) + room.size() <= out.size();
-        for (std::size_t first = 0; first < of.bones; first += kLanes)
-            write_rotations(of, first, n, (fits ? place : room.data()) + first);
-        if (!fits) std::copy_n(room.begin(), of.bones, place);
-    }
+    for (std::size_t n = 0; n < of.pictures; ++n)
+        write_heights(of.envelope(), of.cosine(), of.sine(), of.phase_cosine()[n], of.phase_sine()[n], 1 / s, nodes,
+                      of.heights(n));
+    for (std::size_t n = 0; n < of.pictures; ++n) write_angles(of.heights(n), of.runs(), bones, of.angles(n) + 1);
+    write_shifts(of, shift, bones);
+    for (std::size_t n = 0; n < of.pictures; ++n)
+        write_half_turns(of.angles(n), of.shifts(), bones, of.half_cosine(n), of.half_sine(n));
+    choose_signs(of.still(3), of.turned(3), bones, of.half_cosine(0), of.half_sine(0));  // so that w >= 0
+    for (std::size_t n = 1; n < of.pictures; ++n)
+        choose_signs(of.half_cosine(n - 1), of.half_sine(n - 1), bones, of.half_cosine(n), of.half_sine(n));
+    for (std::size_t n = 0; n < of.pictures; ++n) write_rotations(of, n, &rotations[n * (of.bones + 1)]);
 }
 
 }  // namespace
@@ -220,8 +238,8 @@ std::vector<Quat> swing(const Chain& chain, const Laying& laying, const Wave& wa
     Rows rows(nodes - 1, phases);
     write_line(chain, wave, rows);
     write_lifted(chain, laying, rows);
-    std::vector<Quat> rotations(count), room(in_lanes(nodes - 1));
-    run_with<write_chain>(vectors, rows, wave, shift, laying.axis(), rotations, room);
+    std::vector<Quat> rotations(count);
+    run_with<write_chain>(vectors, rows, wave, shift, laying.axis(), rotations);
 
     Quat tip = normalized(chain.rest_rotations.back());
     if (tip.w < 0) tip = -tip;
