@@ -13,18 +13,22 @@ Vec3 unit_or(const Vec3& a, const Vec3& otherwise) {
     return size > kSmallestSine ? a / size : otherwise;
 }
 
-/// r: root to tip; where the chain ends at its root, to the node furthest from it.
-Vec3 chain_direction(const Chain& chain) {
-    const Vec3 root = chain.nodes.front();
-    Vec3 furthest, to_tip = chain.nodes.back() - root;
+double length_of(const Chain& chain) {
     double whole = 0;
-    for (std::size_t i = 1; i < chain.nodes.size(); ++i) {
-        const Vec3 away = chain.nodes[i] - root;
+    for (std::size_t i = 1; i < chain.nodes.size(); ++i) whole += length(chain.nodes[i] - chain.nodes[i - 1]);
+    return whole;
+}
+
+/// r: root to tip; where the chain ends at its root, to the node furthest from it.
+Vec3 chain_direction(const Chain& chain, double whole) {
+    const Vec3 root = chain.nodes.front(), to_tip = chain.nodes.back() - root;
+    if (length(to_tip) > kSmallestSine * whole) return normalized(to_tip);
+    Vec3 furthest;
+    for (const Vec3& node : chain.nodes) {
+        const Vec3 away = node - root;
         if (dot(away, away) > dot(furthest, furthest)) furthest = away;
-        whole += length(chain.nodes[i] - chain.nodes[i - 1]);
     }
-    const Vec3 direction = length(to_tip) > kSmallestSine * whole ? to_tip : furthest;
-    return length(direction) > 0 ? normalized(direction) : Vec3{0, 1, 0};  // one bone whose tip lies on its root
+    return length(furthest) > 0 ? normalized(furthest) : Vec3{0, 1, 0};  // one bone whose tip lies on its root
 }
 
 Vec3 bone_direction(const Chain& chain, std::size_t bone, const Vec3& otherwise) {
@@ -35,12 +39,14 @@ Vec3 bone_direction(const Chain& chain, std::size_t bone, const Vec3& otherwise)
 
 }  // namespace
 
-Laying::Laying(const Chain& chain, const Motion& motion) {
+Laying::Laying(const Chain& chain, const Motion& motion) : Laying(chain, length_of(chain), motion) {}
+
+Laying::Laying(const Chain& chain, double whole, const Motion& motion) {
     // w: wind, u: up made orthogonal to it, n: the axis that turns w towards u, r: the chain's own direction
     const Vec3 w = normalized(motion.wind);
     const Vec3 u = normalized(rejected(motion.up, w));
     const Vec3 n = cross(w, u);
-    const Vec3 r = chain_direction(chain);
+    const Vec3 r = chain_direction(chain, whole);
     if (motion.mode == Mode::kAbsolute) {
         axis_ = n;
         for (std::size_t i = 0; i + 1 < chain.nodes.size(); ++i) {

@@ -11,6 +11,8 @@ namespace tuftwave {
 class Laying {
   public:
     Laying(const Chain& chain, const Motion& motion);
+    /// @param whole  the chain's length, where that is known
+    Laying(const Chain& chain, double whole, const Motion& motion);
 
     /// What all bones turn about by their wave angles, unit.
     const Vec3& axis() const { return axis_; }

@@ -44,7 +44,7 @@ Quat shortest_turn(const Vec3& from, const Vec3& to, const Vec3& opposite_axis, 
     if (!acute && sine < kOpposite) return turn_about(opposite_axis, part * kPi);
     if (part != 1) {
         if (sine < kNoTurn) return {};
-        return turn_about(normal / sine, part * elementary::atan2(sine, cosine));
+        return turn_about(normal / sine, part == 0 ? 0 : part * elementary::atan2(sine, cosine));
     }
     // |normal| = |d| |h| / 2, so that both forms below are (axis sin(angle/2), cos(angle/2)).
     const double half_sine = length(difference) / 2, half_cosine = length(sum) / 2;

@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "laying.hpp"
 #include "swing.hpp"
 #include "tuftwave/random.hpp"
 #include "tuftwave/vector_checks.hpp"
@@ -96,11 +95,11 @@ ChainMotion move_chain(const Chain& chain, std::size_t index, const Motion& moti
                        Vectors vectors) {
     const ChainPhase ahead = used_phase(chain_phase(chain, index, motion), motion, schedule);
     const int cycles = chain.cycles.value_or(motion.phase.cycles);
-    std::vector<double> phases;
+    std::vector<double> phases(static_cast<std::size_t>(schedule.pictures));
     for (int n = 0; n < schedule.pictures; ++n)
-        phases.push_back(picture_phase(schedule, n, cycles, ahead.pictures) + ahead.radians);
+        phases[static_cast<std::size_t>(n)] = picture_phase(schedule, n, cycles, ahead.pictures) + ahead.radians;
     return {ahead.radians + 2 * kPi * ahead.pictures / schedule.pictures,
-            swing(chain, Laying(chain, motion), motion.wave, phases, shift_of(motion), vectors)};
+            swing(chain, motion, phases, shift_of(motion), vectors)};
 }
 
 }  // namespace

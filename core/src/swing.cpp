@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "close_bodies.hpp"
+#include "laying.hpp"
 
 namespace tuftwave {
 namespace {
@@ -58,6 +59,7 @@ class Rows {
     double* runs() { return row(17); }                           // along the line
     double* sums() { return row(18); }                           // of the angles in all pictures
     double* rests() { return row(19); }                          // of those sums
+    double* unit(std::size_t part) { return row(20 + part); }    // x, y, z, w of its rest rotation
     // Of one picture.
     double* heights(std::size_t picture) { return row(kRowCount + 3 * picture); }  // of nodes
     double* angles(std::size_t picture) { return row(kRowCount + 3 * picture + 1); }
@@ -69,7 +71,7 @@ class Rows {
     double* phase_sine() { return phase_cosine() + in_lanes(pictures); }
 
   private:
-    static constexpr std::size_t kRowCount = 20;
+    static constexpr std::size_t kRowCount = 24;
 
     double* row(std::size_t index) { return rows_.data() + index * row_; }
 
@@ -77,9 +79,15 @@ class Rows {
     std::vector<double> rows_;
 };
 
-void write_line(const Chain& chain, const Wave& wave, Rows& of) {
+/// Writes how far nodes are from the root, metres.
+void write_lengths(const Chain& chain, Rows& of) {
     double* const along = of.along();
     for (std::size_t i = 0; i < of.bones; ++i) along[i + 1] = along[i] + length(chain.nodes[i + 1] - chain.nodes[i]);
+}
+
+/// @param of  with lengths
+TUFTWAVE_BODY void write_line(const Wave& wave, Rows& of) {
+    double* const along = of.along();
     const double whole = along[of.bones];
     for (std::size_t i = 0; i < of.bones; ++i) {
         const double share = whole > 0 ? along[i] / whole : static_cast<double>(i) / static_cast<double>(of.bones);
@@ -90,7 +98,7 @@ void write_line(const Chain& chain, const Wave& wave, Rows& of) {
     for (std::size_t i = 0; i < of.bones; ++i) of.runs()[i] = along[i + 1] - along[i];
 }
 
-void write_lifted(const Chain& chain, const Laying& laying, Rows& of) {
+TUFTWAVE_BODY void write_lifted(const Chain& chain, const Laying& laying, Rows& of) {
     const auto write = [&](std::size_t column, const Quat& q) {
         of.lifted(0)[column] = q.x;
         of.lifted(1)[column] = q.y;
@@ -100,8 +108,16 @@ void write_lifted(const Chain& chain, const Laying& laying, Rows& of) {
     Quat rest = normalized(chain.parent_rotation);
     write(0, rest);
     for (std::size_t i = 0; i < of.bones; ++i) {
-        rest = rest * normalized(chain.rest_rotations[i]);
+        rest = rest * Quat{of.unit(0)[i], of.unit(1)[i], of.unit(2)[i], of.unit(3)[i]};
         write(1 + i, laying.lift(i) * rest);
+    }
+}
+
+/// Writes unit quaternions.
+TUFTWAVE_BODY void write_units(const Quat* __restrict from, std::size_t count, Out x, Out y, Out z, Out w) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Quat unit = normalized(from[i]);
+        x[i] = unit.x, y[i] = unit.y, z[i] = unit.z, w[i] = unit.w;
     }
 }
 
@@ -210,11 +226,15 @@ TUFTWAVE_BODY void write_rotations(Rows& of, std::size_t picture, Quat* __restri
     }
 }
 
-TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Vec3& axis, std::span<Quat> rotations) {
+TUFTWAVE_BODY void write_chain(const Chain& chain, const Laying& laying, const Wave& wave, Shift shift, Rows& of,
+                               std::span<Quat> rotations) {
     // k: spatial period, s: lightness
     const double k = wave.spatial_period, s = wave.lightness;
     const std::size_t bones = in_lanes(of.bones), nodes = in_lanes(of.bones + 1);
-    for (std::size_t first = 0; first < of.bones; first += kLanes) write_circles(of, first, axis);
+    write_line(wave, of);
+    write_units(chain.rest_rotations.data(), of.bones, of.unit(0), of.unit(1), of.unit(2), of.unit(3));
+    write_lifted(chain, laying, of);
+    for (std::size_t first = 0; first < of.bones; first += kLanes) write_circles(of, first, laying.axis());
     write_sincos(of.along(), k, of.bones + 1, of.sine(), of.cosine());
     write_sincos(of.phase(), 1, of.pictures, of.phase_sine(), of.phase_cosine());
     for (std::size_t n = 0; n < of.pictures; ++n)
@@ -232,14 +252,14 @@ TUFTWAVE_BODY void write_chain(Rows& of, const Wave& wave, Shift shift, const Ve
 
 }  // namespace
 
-std::vector<Quat> swing(const Chain& chain, const Laying& laying, const Wave& wave, std::span<const double> phases,
-                        Shift shift, Vectors vectors) {
+std::vector<Quat> swing(const Chain& chain, const Motion& motion, std::span<const double> phases, Shift shift,
+                        Vectors vectors) {
     const std::size_t nodes = chain.nodes.size(), count = nodes * phases.size();
     Rows rows(nodes - 1, phases);
-    write_line(chain, wave, rows);
-    write_lifted(chain, laying, rows);
+    write_lengths(chain, rows);
+    const Laying laying(chain, rows.along()[nodes - 1], motion);
     std::vector<Quat> rotations(count);
-    run_with<write_chain>(vectors, rows, wave, shift, laying.axis(), rotations);
+    run_with<write_chain>(vectors, chain, laying, motion.wave, shift, rows, rotations);
 
     Quat tip = normalized(chain.rest_rotations.back());
     if (tip.w < 0) tip = -tip;

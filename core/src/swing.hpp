@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "laying.hpp"
 #include "tuftwave/motion.hpp"
 #include "tuftwave/wide.hpp"
 
@@ -16,7 +15,7 @@ enum class Shift { kNone, kLeast, kMean };
 /// @param phases  psi of each picture, radians
 /// @return  picture n, node i at [n * nodes + i]: local, unit, sign-continuous
 /// Cost O(pictures * nodes). The same bits for any `vectors`, and for the same phases in another order.
-std::vector<Quat> swing(const Chain& chain, const Laying& laying, const Wave& wave, std::span<const double> phases,
-                        Shift shift, Vectors vectors);
+std::vector<Quat> swing(const Chain& chain, const Motion& motion, std::span<const double> phases, Shift shift,
+                        Vectors vectors);
 
 }  // namespace tuftwave
