@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -49,10 +48,7 @@ JsonText& JsonText::digits(const Write& write) {
     return *this;
 }
 
-JsonText& JsonText::number(double value) {
-    // Most numbers of a skeleton, and no search for digits.
-    if (value == 1) return raw("1.0");
-    if (value == 0 && !std::signbit(value)) return raw("0.0");
+JsonText& JsonText::searched(double value) {
     return digits([&](char* from, char*) { return write_double(from, value); });
 }
 

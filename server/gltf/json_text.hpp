@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <nlohmann/json_fwd.hpp>
@@ -24,12 +25,33 @@ class JsonText {
         return *this;
     }
     JsonText& text(std::string_view value);  ///< in quotes, escaped
-    JsonText& number(double value);          ///< the shortest digits that say it, with a point or an exponent
+    JsonText& number(double value) {         ///< the shortest digits that say it, with a point or an exponent
+        // Most numbers of a skeleton are these.
+        if (value == 1) return raw("1.0");
+        if (value == 0 && !std::signbit(value)) return raw("0.0");
+        return searched(value);
+    }
     JsonText& number(std::size_t value);
     JsonText& number(int value);
 
     /// A member's key and, unless it is an object's first, the comma before it. @param key  needs no escapes
-    [[gnu::always_inline]] JsonText& key(std::string_view key) { return next().put('"').raw(key).put('"').put(':'); }
+    [[gnu::always_inline]] JsonText& key(std::string_view key) {
+        // At once, since after each byte that is written a compiler must look again where the next one goes.
+        const std::size_t comma = is_first_ ? 0 : 1;
+        if (out_ != nullptr) {
+            char* at = out_ + bytes_;
+            *at = ',';
+            at += comma;
+            *at++ = '"';
+            std::memcpy(at, key.data(), key.size());
+            at += key.size();
+            *at++ = '"';
+            *at = ':';
+        }
+        bytes_ += comma + key.size() + 3;
+        is_first_ = false;
+        return *this;
+    }
     JsonText& open(char bracket) {  ///< { or [
         is_first_ = true;
         return put(bracket);
@@ -49,6 +71,8 @@ class JsonText {
     static constexpr std::size_t kMostDigits = 32;
 
     /// Writes a number where it belongs. @param write  as to_chars(), and touches no more than it writes
+    JsonText& searched(double value);  ///< whose digits must be searched for
+
     template <class Write>
     JsonText& digits(const Write& write);
 

@@ -93,17 +93,16 @@ void write_animations(const Model& model, JsonText& to) {
     write_list(to, "animations", model.animations, [&](const Model::Animation& animation) {
         int sampler = 0;
         write_list(to, "channels", animation.channels, [&](const Document::Channel& channel) {
-            to.key("sampler").number(sampler++);
-            to.key("target").open('{').key("node").number(channel.node);
-            write_path(channel.path, to.key("path"));
-            to.close('}');
+            to.raw(R"("sampler":)").number(sampler++).raw(R"(,"target":{"node":)").number(channel.node);
+            write_path(channel.path, to.raw(R"(,"path":)"));
+            to.raw("}");
         });
         if (!animation.extras.empty()) to.key("extras").raw(animation.extras);
         to.key("name").text(animation.name);
         write_list(to, "samplers", animation.channels, [&](const Document::Channel& channel) {
-            to.key("input").number(animation.times);
-            write_interpolation(animation.interpolation, to.key("interpolation"));
-            to.key("output").number(channel.values);
+            to.raw(R"("input":)").number(animation.times).raw(R"(,"interpolation":)");
+            write_interpolation(animation.interpolation, to);
+            to.raw(R"(,"output":)").number(channel.values);
         });
     });
 }
