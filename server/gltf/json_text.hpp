@@ -70,9 +70,9 @@ class JsonText {
   private:
     static constexpr std::size_t kMostDigits = 32;
 
-    /// Writes a number where it belongs. @param write  as to_chars(), and touches no more than it writes
     JsonText& searched(double value);  ///< whose digits must be searched for
 
+    /// Writes a number where it belongs. @param write  as to_chars(), and touches no more than it writes
     template <class Write>
     JsonText& digits(const Write& write);
 
