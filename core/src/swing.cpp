@@ -14,25 +14,16 @@
 namespace tuftwave {
 namespace {
 
-constexpr std::size_t kLanes = 8;  // bones at a time
+constexpr std::size_t kLanes = 8;  // numbers at a time, at most
 
-// Rows that a loop reads and writes; none is both.
+// Rows that a loop reads and writes; none is both. Loops over nothing else become vectors.
 using In = const double* __restrict;
 using Out = double* __restrict;
 
-/// A number of each of some bones. Loops over nothing else become vectors.
-struct Lanes {
-    double at[kLanes];
-};
-
 std::size_t in_lanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-TUFTWAVE_BODY void store(const Lanes& lanes, double* to) {
-    for (std::size_t i = 0; i < kLanes; ++i) to[i] = lanes.at[i];
-}
-
-/// Numbers of one chain in rows, a bone or a node to a column. Lanes may be loaded from any bone's column or the next;
-/// what is beyond the last is 0.
+/// Numbers of one chain in rows, a bone or a node to a column. Rows are whole lanes long, from any bone's column or the
+/// next; what is beyond the last is of no use but finite.
 class Rows {
   public:
     Rows(std::size_t bone_count, std::span<const double> phases)
@@ -63,7 +54,7 @@ class Rows {
     // Of one picture.
     double* heights(std::size_t picture) { return row(kRowCount + 3 * picture); }  // of nodes
     double* angles(std::size_t picture) { return row(kRowCount + 3 * picture + 1); }
-    double* half_cosine(std::size_t picture) { return row(kRowCount + 3 * picture); }  // of a bone's own turn
+    double* half_cosine(std::size_t picture) { return heights(picture); }  // of a bone's own turn, in their place
     double* half_sine(std::size_t picture) { return row(kRowCount + 3 * picture + 2); }
     // Of pictures.
     double* phase() { return row(kRowCount + 3 * pictures); }
@@ -121,39 +112,30 @@ TUFTWAVE_BODY void write_units(const Quat* __restrict from, std::size_t count, O
     }
 }
 
+/// Writes A and B of the bones from `first` on, as many as there are lanes.
 TUFTWAVE_BODY void write_circles(Rows& of, std::size_t first, const Vec3& axis) {
-    const double *const px = of.lifted(0) + first, *const x = of.lifted(0) + 1 + first;
-    const double *const py = of.lifted(1) + first, *const y = of.lifted(1) + 1 + first;
-    const double *const pz = of.lifted(2) + first, *const z = of.lifted(2) + 1 + first;
-    const double *const pw = of.lifted(3) + first, *const w = of.lifted(3) + 1 + first;
-    Lanes ax, ay, az, aw, bx, by, bz, bw;
+    In px = of.lifted(0) + first, py = of.lifted(1) + first, pz = of.lifted(2) + first, pw = of.lifted(3) + first;
+    In x = px + 1, y = py + 1, z = pz + 1, w = pw + 1;
+    double a[4][kLanes], b[4][kLanes];
     for (std::size_t i = 0; i < kLanes; ++i) {
         const Quat back{-px[i], -py[i], -pz[i], pw[i]}, lifted{x[i], y[i], z[i], w[i]};
-        const Quat a = back * lifted, b = back * (Quat{axis.x, axis.y, axis.z, 0} * lifted);
-        ax.at[i] = a.x, ay.at[i] = a.y, az.at[i] = a.z, aw.at[i] = a.w;
-        bx.at[i] = b.x, by.at[i] = b.y, bz.at[i] = b.z, bw.at[i] = b.w;
+        const Quat still = back * lifted, turned = back * (Quat{axis.x, axis.y, axis.z, 0} * lifted);
+        a[0][i] = still.x, a[1][i] = still.y, a[2][i] = still.z, a[3][i] = still.w;
+        b[0][i] = turned.x, b[1][i] = turned.y, b[2][i] = turned.z, b[3][i] = turned.w;
     }
-    store(ax, of.still(0) + first), store(bx, of.turned(0) + first);
-    store(ay, of.still(1) + first), store(by, of.turned(1) + first);
-    store(az, of.still(2) + first), store(bz, of.turned(2) + first);
-    store(aw, of.still(3) + first), store(bw, of.turned(3) + first);
-}
-
-TUFTWAVE_BODY void write_sincos(const double* x, double divisor, std::size_t count, double* sine, double* cosine) {
-    for (std::size_t first = 0; first < count; first += kLanes) {
-        const double* const from = x + first;
-        Lanes sines, cosines;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const elementary::SinCos both = elementary::bodies::sincos(from[i] / divisor);
-            sines.at[i] = both.sin;
-            cosines.at[i] = both.cos;
-        }
-        store(sines, sine + first);
-        store(cosines, cosine + first);
+    for (std::size_t part = 0; part < 4; ++part) {
+        std::copy_n(a[part], kLanes, of.still(part) + first);
+        std::copy_n(b[part], kLanes, of.turned(part) + first);
     }
 }
 
-// Loops over whole rows.
+TUFTWAVE_BODY void write_sincos(In x, double divisor, std::size_t count, Out sine, Out cosine) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const elementary::SinCos both = elementary::bodies::sincos(x[i] / divisor);
+        sine[i] = both.sin;
+        cosine[i] = both.cos;
+    }
+}
 
 TUFTWAVE_BODY void write_heights(In envelope, In cosine, In sine, double phase_cosine, double phase_sine,
                                  double one_over_s, std::size_t count, Out heights) {
@@ -235,8 +217,8 @@ TUFTWAVE_BODY void write_chain(const Chain& chain, const Laying& laying, const W
     write_units(chain.rest_rotations.data(), of.bones, of.unit(0), of.unit(1), of.unit(2), of.unit(3));
     write_lifted(chain, laying, of);
     for (std::size_t first = 0; first < of.bones; first += kLanes) write_circles(of, first, laying.axis());
-    write_sincos(of.along(), k, of.bones + 1, of.sine(), of.cosine());
-    write_sincos(of.phase(), 1, of.pictures, of.phase_sine(), of.phase_cosine());
+    write_sincos(of.along(), k, nodes, of.sine(), of.cosine());
+    write_sincos(of.phase(), 1, in_lanes(of.pictures), of.phase_sine(), of.phase_cosine());
     for (std::size_t n = 0; n < of.pictures; ++n)
         write_heights(of.envelope(), of.cosine(), of.sine(), of.phase_cosine()[n], of.phase_sine()[n], 1 / s, nodes,
                       of.heights(n));
@@ -254,16 +236,13 @@ TUFTWAVE_BODY void write_chain(const Chain& chain, const Laying& laying, const W
 
 std::vector<Quat> swing(const Chain& chain, const Motion& motion, std::span<const double> phases, Shift shift,
                         Vectors vectors) {
-    const std::size_t nodes = chain.nodes.size(), count = nodes * phases.size();
+    const std::size_t nodes = chain.nodes.size();
     Rows rows(nodes - 1, phases);
     write_lengths(chain, rows);
     const Laying laying(chain, rows.along()[nodes - 1], motion);
-    std::vector<Quat> rotations(count);
+    const Quat tip = normalized(chain.rest_rotations.back());
+    std::vector<Quat> rotations(nodes * phases.size(), tip.w < 0 ? -tip : tip);
     run_with<write_chain>(vectors, chain, laying, motion.wave, shift, rows, rotations);
-
-    Quat tip = normalized(chain.rest_rotations.back());
-    if (tip.w < 0) tip = -tip;
-    for (std::size_t at = nodes - 1; at < count; at += nodes) rotations[at] = tip;
     return rotations;
 }
 
