@@ -75,15 +75,14 @@ HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys k
     const int view = document.add_view(Document::Purpose::kData, joints * bytes);
     std::vector<Document::Channel> channels;
     channels.reserve(joints);
-    values_.reserve(skeleton.chains().size());
+    tracks_.reserve(skeleton.chains().size());
     for (const ChainNodes& chain : skeleton.chains()) {
-        std::vector<int>& accessors = values_.emplace_back();
-        accessors.reserve(chain.joints.size());
         for (const int node : chain.joints) {
-            accessors.push_back(document.add_accessor(
-                {view, channels.size() * bytes, count, Document::Component::kF32, Document::Shape::kVec4}));
-            channels.push_back({node, accessors.back()});
+            const int values = document.add_accessor(
+                {view, channels.size() * bytes, count, Document::Component::kF32, Document::Shape::kVec4});
+            channels.push_back({node, values});
         }
+        tracks_.push_back({channels[channels.size() - chain.joints.size()].values, chain.joints.size()});
     }
     const auto between = keys_.is_stepped ? Document::Interpolation::kStep : Document::Interpolation::kLinear;
     document.add_animation("wave", times_, between, std::move(channels), extras);
@@ -92,15 +91,12 @@ HeldClip::HeldClip(Document& document, const SkeletonNodes& skeleton, ClipKeys k
 void HeldClip::fill(std::span<const ChainMotion> motions) {
     std::ranges::copy(keys_.times, document_.data<float>(times_).begin());
     document_.set_bounds(times_);
-    for (std::size_t c = 0; c < values_.size(); ++c) {
-        const std::vector<Quat>& rotations = motions[c].rotations;
-        const std::size_t nodes = values_[c].size() + 1;
-        for (std::size_t i = 0; i < values_[c].size(); ++i) {
-            float* out = document_.data<float>(values_[c][i]).data();
-            for (const std::size_t picture : keys_.pictures) {
-                write_key(rotations[picture * nodes + i], out);
-                out += 4;
-            }
+    for (std::size_t c = 0; c < tracks_.size(); ++c) {
+        const std::size_t joints = tracks_[c].joints, count = keys_.pictures.size();
+        float* const out = document_.data<float>(tracks_[c].first).data();
+        for (std::size_t key = 0; key < count; ++key) {
+            const Quat* const pose = &motions[c].rotations[keys_.pictures[key] * (joints + 1)];
+            for (std::size_t i = 0; i < joints; ++i) write_key(pose[i], out + 4 * (i * count + key));
         }
     }
 }

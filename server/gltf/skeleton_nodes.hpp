@@ -42,10 +42,15 @@ class HeldClip {
     void fill(std::span<const ChainMotion> motions);
 
   private:
+    struct Tracks {
+        int first;  ///< accessor of the first joint's keys, behind which are those of the others
+        std::size_t joints;
+    };
+
     Document& document_;
     const ClipKeys keys_;
     int times_ = 0;
-    std::vector<std::vector<int>> values_;  // accessor per chain and joint
+    std::vector<Tracks> tracks_;  // of the chains
 };
 
 }  // namespace tuftwave::server::gltf
