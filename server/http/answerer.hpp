@@ -8,7 +8,7 @@
 
 namespace tuftwave::server {
 
-/// Who answers what a listener hears. Both are called on the listener's own thread, which serves nobody else until they
+/// Who answers what a listener hears. Both are called by a thread that serves many, and nobody else until they
 /// return.
 struct Answerer {
     /// The head of a request has come, its body has not. @return  an answer if the body is not wanted

@@ -1,27 +1,22 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include "http/answerer.hpp"
-#include "http/connection.hpp"
+#include "http/event_loop.hpp"
+#include "http/poller.hpp"
+#include "http/premises.hpp"
+#include "http/sockets.hpp"
 
 namespace tuftwave::server {
 
-struct ListenerOptions {
-    std::string host = "127.0.0.1";
-    int port = 0;                                   ///< 0 picks a free one
-    std::size_t connections = 64;                   ///< open at once; the next one gets 503
-    std::size_t body_memory = 64 * 1024 * 1024;     ///< bytes of all bodies; the first 64 KiB of each are free
-    std::size_t answer_memory = 192 * 1024 * 1024;  ///< bytes of all answers until they are taken; as above
-    Patience patience{};
-};
-
-/// Speaks HTTP/1.1 on one port. One thread waits for all connections, so that thousands of slow ones cost memory and no
-/// thread; each request is read completely, under deadlines, before anybody else sees it.
+/// Speaks HTTP/1.1 on one port. The thread that serves lets connections in; each is then served by one of a few other
+/// threads, in turns, so that small requests are answered on as many cores.
 class Listener {
   public:
     struct Stats {
@@ -33,7 +28,7 @@ class Listener {
 
     Listener(ListenerOptions options, Answerer answerer);
     /// Stop it and let serve() return before.
-    ~Listener();
+    ~Listener() = default;
     Listener(const Listener&) = delete;
     Listener& operator=(const Listener&) = delete;
 
@@ -45,7 +40,7 @@ class Listener {
     void serve();
 
     /// From now on every answer says "Connection: close", so that clients go elsewhere.
-    void drain();
+    void drain() { *premises_.draining = true; }
 
     /// Accepts no more. Requests that have begun are still answered, idle connections closed; then serve() returns.
     /// May be called at any time by any thread, also before serve().
@@ -54,8 +49,17 @@ class Listener {
     Stats stats() const;
 
   private:
-    class Loop;
-    std::unique_ptr<Loop> loop_;
+    void let_in();
+    bool accept_one();
+    void place(Descriptor socket);
+
+    Premises premises_;
+    std::vector<std::unique_ptr<EventLoop>> loops_;
+    std::size_t next_loop_ = 0;
+    Poller poller_;
+    Descriptor door_;
+    std::atomic<bool> stopping_ = false;
+    std::atomic<std::uint64_t> accepted_ = 0, turned_away_ = 0;
 };
 
 }  // namespace tuftwave::server

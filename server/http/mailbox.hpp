@@ -7,17 +7,20 @@
 
 #include "http/library.hpp"
 #include "http/poller.hpp"
+#include "http/sockets.hpp"
 
 namespace tuftwave::server {
 
-/// An answer on its way to the listener's thread. Without a head there is none, and the connection can only be closed.
+/// An answer on its way to the thread of its connection. Without a head there is none, and the connection can only be
+/// closed. Or a connection that is new there.
 struct Letter {
     std::uint64_t connection = 0;
     Message message;
     bool closes = true;
+    Descriptor newcomer{};  ///< if it is open, there is no message
 };
 
-/// Where any thread posts answers, and one thread collects them. Posting allocates nothing, so no answer is lost for
+/// Where any thread posts letters, and one thread collects them. Posting allocates nothing, so no answer is lost for
 /// want of memory; it wakes the collector only if that sleeps, since a wake-up costs more than many an answer.
 class Mailbox {
   public:

@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t kAdminConnections = 256;  // probes and scrapers
 constexpr std::size_t kMiB = 1024 * 1024;
+constexpr int kMostServing = 8;  // threads for connections, each of which wakes 20 times a second
 constexpr int kWrongUsage = 2;
 constexpr rlim_t kOtherDescriptors = 2'048;  // than connections
 
@@ -101,6 +102,7 @@ class Door {
 
 ListenerOptions public_options(const Config& config) {
     ListenerOptions options{config.host, config.port, static_cast<std::size_t>(config.connections)};
+    options.threads = std::min(worker_count(config), kMostServing);
     options.body_memory = static_cast<std::size_t>(config.body_mib) * kMiB;
     options.answer_memory = static_cast<std::size_t>(config.answer_mib) * kMiB;
     return options;

@@ -319,6 +319,19 @@ TEST(Listener, RequestThatNobodyAnswersIsClosed) {
     EXPECT_EQ(client.hear_all(), "");
 }
 
+TEST(Listener, AsManyConnectionsAsThreadsAreServedAtOnce) {
+    std::latch all(options().threads);
+    const Served served(answering([&](const Request&) -> Response {
+        all.arrive_and_wait();
+        return {200, "text/plain", "both", {}};
+    }));
+    Client one(served.port()), other(served.port());
+    one.say(head("GET /x"));
+    other.say(head("GET /x"));
+    EXPECT_TRUE(one.hear().ends_with("both"));
+    EXPECT_TRUE(other.hear().ends_with("both"));
+}
+
 TEST(Listener, StopBeforeServingIsNotForgotten) {
     Listener listener(options(), answering(echo));
     ASSERT_TRUE(std::holds_alternative<int>(listener.bind()));

@@ -47,6 +47,7 @@ inline Answerer answering(Handle handle) {
 inline ListenerOptions options() {
     ListenerOptions options;
     options.connections = 8;
+    options.threads = 2;
     return options;
 }
 
