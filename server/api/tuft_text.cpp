@@ -1,9 +1,6 @@
 #include "api/tuft_text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/choices.hpp"
-#include "api/write_nouns.hpp"
 #include "gltf/json_text.hpp"
 
 namespace tuftwave::server {
@@ -16,18 +13,24 @@ std::size_t most_bytes(const Tuft& tuft) {
     return tuft.points.size() * (3 * kNumberBytes + 3) + tuft.name.size() * kCharacterBytes + kOtherBytes;
 }
 
+void write_origin(gltf::JsonText& to, const Origin& origin) {
+    to.key("origin").open('{').key("index").number(origin.index);
+    to.key("kind").text(std::string(word_of(kFillKinds, origin.kind)));
+    if (origin.parent) to.key("parent").number(*origin.parent);
+    to.close('}');
+}
+
 }  // namespace
 
 void append_tuft(std::string& out, const Tuft& tuft) {
     const std::size_t before = out.size();
-    const std::string origin = tuft.origin ? gltf::extras_text(nlohmann::json(origin_json(*tuft.origin))) : "";
-    out.resize(before + most_bytes(tuft) + origin.size());
+    out.resize(before + most_bytes(tuft));
     gltf::JsonText text(out.data() + before);
     text.open('{');
     if (tuft.cycles) text.key("cycles").number(*tuft.cycles);
     text.key("diameter").number(tuft.diameter).key("flatness").number(tuft.flatness);
     text.key("joints").number(tuft.joints).key("name").text(tuft.name);
-    if (tuft.origin) text.key("origin").raw(origin);
+    if (tuft.origin) write_origin(text, *tuft.origin);
     text.key("phase").number(tuft.phase).key("points").open('[');
     for (const Vec3& point : tuft.points) {
         text.next().open('[').next().number(point.x).next().number(point.y).next().number(point.z).close(']');

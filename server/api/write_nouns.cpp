@@ -15,64 +15,9 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-/// What a decimal can say exactly goes out as a number, whose fraction might have more digits than we read.
-Json fps_json(const FrameRate& fps) {
-    constexpr std::int64_t kMillion = 1'000'000;
-    if (fps.denominator == 1) return fps.numerator;
-    if (kMillion % fps.denominator == 0) return fps.value();
-    return frame_rate_text(fps);
-}
-
-Json to_json(const ScalpEllipsoid& ellipsoid) {
-    Json json{{"radii", to_json(ellipsoid.radii)}};
-    if (ellipsoid.center) json["center"] = to_json(*ellipsoid.center);
-    return {{"ellipsoid", std::move(json)}};
-}
-
-Json to_json(const ScalpMesh& mesh) {
-    Json positions = Json::array(), triangles = Json::array();
-    for (const Vec3& position : mesh.positions) {
-        for (const double coordinate : {position.x, position.y, position.z}) positions.push_back(coordinate);
-    }
-    for (const auto& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) triangles.push_back(vertex);
-    }
-    return {{"mesh", {{"positions", std::move(positions)}, {"triangles", std::move(triangles)}}}};
-}
-
-Json to_json(const Head& head) {
-    Json json{{"center", to_json(head.center)},
-              {"up", to_json(head.up)},
-              {"front", to_json(head.front)},
-              {"root_depth", head.root_depth},
-              {"diameter_at_100", head.diameter_at_100}};
-    if (const auto* ellipsoid = std::get_if<ScalpEllipsoid>(&head.scalp)) json["scalp"] = to_json(*ellipsoid);
-    if (const auto* mesh = std::get_if<ScalpMesh>(&head.scalp)) json["scalp"] = to_json(*mesh);
-    return json;
-}
-
 Json to_json(const Origin& origin) {
     Json json{{"kind", word_of(kFillKinds, origin.kind)}, {"index", origin.index}};
     if (origin.parent) json["parent"] = *origin.parent;
-    return json;
-}
-
-Json to_json(const HairFill& fill, const std::vector<Tuft>& tufts, Formulas formulas) {
-    const FillSettings& settings = fill.settings;
-    Json json{{"from", tufts[fill.from].name}};
-    if (fill.to) json["to"] = tufts[*fill.to].name;
-    json["name"] = settings.name;
-    if (settings.tufts_per_meter) json["tufts_per_meter"] = *settings.tufts_per_meter;
-    json["density"] = {{"along", settings.density.along.value_or(0)},
-                       {"crown", settings.density.crown.value_or(0)},
-                       {"neck", settings.density.neck.value_or(0)}};
-    if (settings.jitter_seed) json["jitter"] = {{"seed", *settings.jitter_seed}};
-    if (settings.formulas != formulas) json["formulas"] = word_of(kFormulas, settings.formulas);
-    if (settings.spacing) json["spacing"] = word_of(kSpacings, *settings.spacing);
-    json["arc"] = word_of(kArcs, settings.arc);
-    json["direction"] = word_of(kFillDirections, settings.direction);
-    if (settings.resample) json["resample"] = *settings.resample;
-    json["min_gap"] = settings.min_gap;
     return json;
 }
 
@@ -90,33 +35,6 @@ Json to_json(const Tuft& tuft) {
     json["phase"] = tuft.phase;
     if (tuft.cycles) json["cycles"] = *tuft.cycles;
     if (tuft.origin) json["origin"] = to_json(*tuft.origin);
-    return json;
-}
-
-Json to_json(const Timing& timing) {
-    return {{"period", timing.period},
-            {"fps", fps_json(timing.fps)},
-            {"hold", timing.hold},
-            {"short_holds", word_of(kShortHolds, timing.short_holds)},
-            {"sampling", word_of(kSamplings, timing.sampling)}};
-}
-
-Json to_json(const Phasing& phase) {
-    Json json{{"step", word_of(kPhaseSteps, phase.step)},
-              {"spread", phase.spread},
-              {"seed", phase.seed},
-              {"cycles", phase.cycles}};
-    if (phase.gust_wavelength) json["gust_wavelength"] = *phase.gust_wavelength;
-    return json;
-}
-
-Json to_json(const Motion& motion) {
-    Json json{
-        {"wave", wave_json(motion.wave)}, {"timing", to_json(motion.timing)}, {"mode", word_of(kModes, motion.mode)},
-        {"wind", to_json(motion.wind)},   {"up", to_json(motion.up)},         {"one_sided", motion.one_sided},
-        {"phase", to_json(motion.phase)}};
-    if (motion.droop) json["droop"] = word_of(kDroops, *motion.droop);
-    if (motion.lift) json["lift"] = *motion.lift;
     return json;
 }
 
@@ -141,20 +59,11 @@ std::string frame_rate_text(const FrameRate& fps) {
     return fps.denominator == 1 ? numerator : numerator + "/" + std::to_string(fps.denominator);
 }
 
-Json settings_json(const Hairstyle& hairstyle, const gltf::Look& look) {
-    Json json{{"head", to_json(hairstyle.head)}};
-    if (!hairstyle.fills.empty()) json["fills"] = Json::array();
-    for (const HairFill& fill : hairstyle.fills)
-        json["fills"].push_back(to_json(fill, hairstyle.tufts, hairstyle.formulas));
-    if (hairstyle.motion) json["motion"] = to_json(*hairstyle.motion);
-    json["mesh"] = {{"tolerance", hairstyle.mesh.tolerance},
-                    {"sides", hairstyle.mesh.sides},
-                    {"layout", word_of(kLayouts, look.layout)},
-                    {"color", look.color}};
-    if (hairstyle.mesh.rings) json["mesh"]["rings"] = *hairstyle.mesh.rings;
-    if (!hairstyle.mesh.skin) json["mesh"]["skin"] = false;
-    if (hairstyle.formulas != Formulas::kCorrected) json["formulas"] = word_of(kFormulas, hairstyle.formulas);
-    return json;
+Json frame_rate_json(const FrameRate& fps) {
+    constexpr std::int64_t kMillion = 1'000'000;
+    if (fps.denominator == 1) return fps.numerator;
+    if (kMillion % fps.denominator == 0) return fps.value();
+    return frame_rate_text(fps);
 }
 
 Json wave_json(const Wave& wave) {
@@ -165,8 +74,6 @@ Json wave_json(const Wave& wave) {
 }
 
 Json tuft_json(const Tuft& tuft) { return to_json(tuft); }
-
-Json origin_json(const Origin& origin) { return to_json(origin); }
 
 Json fill_report_json(const FillReport& report) {
     const Gap& gap = report.gap;
@@ -190,9 +97,12 @@ Json fill_report_json(const FillReport& report) {
 }
 
 Json schedule_json(const Schedule& schedule) {
-    return {{"frames", schedule.frames},     {"pictures", schedule.pictures},
-            {"holds", schedule.holds},       {"starts", schedule.starts},
-            {"fps", fps_json(schedule.fps)}, {"requested_period", schedule.requested_period},
+    return {{"frames", schedule.frames},
+            {"pictures", schedule.pictures},
+            {"holds", schedule.holds},
+            {"starts", schedule.starts},
+            {"fps", frame_rate_json(schedule.fps)},
+            {"requested_period", schedule.requested_period},
             {"period", schedule.period}};
 }
 

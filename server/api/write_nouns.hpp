@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "gltf/hair_file.hpp"
 #include "tuftwave/hairstyle.hpp"
 
 namespace tuftwave::server {
@@ -14,10 +13,7 @@ namespace tuftwave::server {
 // From core's structs to JSON. Defaults are written out, so that a hairstyle reads back to the same one even if a
 // default should change; what is unset stays out.
 
-/// A hairstyle but for its tufts, of which there may be too many to hold all of them so.
-nlohmann::ordered_json settings_json(const Hairstyle& hairstyle, const gltf::Look& look);
 nlohmann::ordered_json tuft_json(const Tuft& tuft);
-nlohmann::ordered_json origin_json(const Origin& origin);
 nlohmann::ordered_json fill_report_json(const FillReport& report);
 nlohmann::ordered_json wave_json(const Wave& wave);
 nlohmann::ordered_json schedule_json(const Schedule& schedule);
@@ -36,5 +32,8 @@ nlohmann::ordered_json pose_json(const Quat& q);
 
 /// "24" or "24000/1001".
 std::string frame_rate_text(const FrameRate& fps);
+
+/// What a decimal can say exactly as a number, else a text, since a fraction might have more digits than we read.
+nlohmann::ordered_json frame_rate_json(const FrameRate& fps);
 
 }  // namespace tuftwave::server
