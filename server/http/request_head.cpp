@@ -148,27 +148,33 @@ int read_headers(std::string_view text, RequestHead& head) {
     return 0;
 }
 
-}  // namespace
-
-int fault_of_first_line(const std::string_view line) {
+int read_first_line(const std::string_view line, RequestHead& head) {
     const std::optional<FirstLine> parts = split_first_line(line);
     if (!parts) return 400;
     if (parts->version != "HTTP/1.1" && parts->version != "HTTP/1.0") return 505;
     if (std::find(kMethods.begin(), kMethods.end(), parts->method) == kMethods.end()) return 501;
     if (parts->target.size() > kMostTargetBytes) return 414;
-    return parse_target(parts->target) ? 0 : 400;
+    std::optional<Target> target = parse_target(parts->target);
+    if (!target) return 400;
+    head.is_http_1_0 = parts->version == "HTTP/1.0";
+    head.request.method = parts->method;
+    head.request.path = std::move(target->path);
+    head.request.query = std::move(target->query);
+    return 0;
+}
+
+}  // namespace
+
+int fault_of_first_line(const std::string_view line) {
+    RequestHead head;
+    return read_first_line(line, head);
 }
 
 RequestHead parse_head(const std::string_view text) {
     RequestHead head;
     const std::size_t end = text.find("\r\n");
-    const std::string_view line = text.substr(0, end);
-    head.fault = fault_of_first_line(line);
+    head.fault = read_first_line(text.substr(0, end), head);
     if (head.fault != 0) return head;
-    const FirstLine parts = *split_first_line(line);
-    Target target = *parse_target(parts.target);
-    head.is_http_1_0 = parts.version == "HTTP/1.0";
-    head.request = {std::string(parts.method), std::move(target.path), std::move(target.query), {}, ""};
     head.fault = read_headers(text.substr(end + 2), head);
     if (head.fault == 0) head.fault = fault_of_host(head);
     if (head.fault == 0) head.fault = read_framing(head);
