@@ -58,7 +58,9 @@ constexpr std::string_view kEnd = "\r\n";
 constexpr std::size_t kUsualBytes = 512;
 
 /// What could end a header, or the head, early.
-bool is_one_line(const std::string_view text) { return text.find_first_of("\r\n") == std::string_view::npos; }
+bool is_one_line(const std::string_view text) {
+    return std::none_of(text.begin(), text.end(), [](const char c) { return c == '\r' || c == '\n'; });
+}
 
 void add_header(std::string& head, const std::string_view name, const std::string_view value) {
     if (!is_one_line(name) || !is_one_line(value)) return;
