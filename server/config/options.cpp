@@ -24,7 +24,8 @@ constexpr std::array kOptions{
         "Address of /livez, /readyz and /metrics; never asks for keys, so keep it where only probes and scrapers come"},
     Option{"admin-port", "", &Config::admin_port, 0, 65'535, "", "",
            "Port of /livez, /readyz and /metrics; 0 picks a free one"},
-    Option{"workers", "", &Config::workers, 0, 256, "", "threads", "Threads that compute; 0 means as many as cores"},
+    Option{"workers", "", &Config::workers, 0, 256, "", "threads",
+           "Threads that compute, and as many, at most 8, that serve connections; 0 means as many as cores"},
     Option{"queue", "", &Config::queue, 1, 10'000, "", "jobs",
            "Jobs that may wait for a worker before requests are refused"},
     Option{
