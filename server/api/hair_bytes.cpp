@@ -17,7 +17,7 @@ std::string asset_extras(const HairRequest& hair, const HairPlan& plan, const Fo
     const Schedule* schedule = plan.motion ? &plan.motion->schedule : nullptr;
     const nlohmann::ordered_json warnings = warnings_json(schedule, plan.fills);
     std::string text = "{\"tuftwave\":{\"hairstyle\":";
-    text += hairstyle_text(hair.hairstyle, hair.look, for_each);
+    append_hairstyle(text, hair.hairstyle, hair.look, for_each);
     if (schedule != nullptr) text += ",\"schedule\":" + text_of(schedule_json(*schedule));
     text += ",\"version\":\"" + std::string(kVersion) + "\"";
     if (schedule != nullptr || !warnings.empty()) text += ",\"warnings\":" + text_of(warnings);

@@ -196,9 +196,10 @@ void write_motion(JsonText& to, const Motion& motion) {
 }
 
 /// All but the tufts, up to the comma before them.
-std::string settings_text(const Hairstyle& hairstyle, const gltf::Look& look) {
-    std::string text(most_bytes(hairstyle), '\0');
-    JsonText to(text.data());
+void append_settings(std::string& out, const Hairstyle& hairstyle, const gltf::Look& look) {
+    const std::size_t before = out.size();
+    out.resize(before + most_bytes(hairstyle));
+    JsonText to(out.data() + before);
     to.open('{');
     if (!hairstyle.fills.empty()) {
         to.key("fills").open('[');
@@ -210,8 +211,7 @@ std::string settings_text(const Hairstyle& hairstyle, const gltf::Look& look) {
     write_mesh(to, hairstyle.mesh, look);
     if (hairstyle.motion) write_motion(to, *hairstyle.motion);
     to.next();
-    text.resize(to.bytes());
-    return text;
+    out.resize(before + to.bytes());
 }
 
 /// Texts of some tufts each, made side by side, since there are up to a million digits in them.
@@ -229,11 +229,11 @@ std::vector<std::string> tuft_texts(const std::vector<Tuft>& tufts, const ForEac
 
 }  // namespace
 
-std::string hairstyle_text(const Hairstyle& hairstyle, const gltf::Look& look, const ForEach& for_each) {
-    std::string text = settings_text(hairstyle, look);
-    text += "\"tufts\":[";
-    for (const std::string& some : tuft_texts(hairstyle.tufts, for_each)) text += some;
-    return text + "]}";
+void append_hairstyle(std::string& out, const Hairstyle& hairstyle, const gltf::Look& look, const ForEach& for_each) {
+    append_settings(out, hairstyle, look);
+    out += "\"tufts\":[";
+    for (const std::string& some : tuft_texts(hairstyle.tufts, for_each)) out += some;
+    out += "]}";
 }
 
 }  // namespace tuftwave::server

@@ -39,6 +39,13 @@ Hairstyle everything() {
     return hairstyle;
 }
 
+std::string hairstyle_text(const Hairstyle& hairstyle, const gltf::Look& look, const ForEach& for_each) {
+    std::string text = "before";
+    append_hairstyle(text, hairstyle, look, for_each);
+    EXPECT_TRUE(text.starts_with("before"));
+    return text.substr(6);
+}
+
 /// The text as a tree of values would be written.
 std::string written_anew(const std::string& text) { return gltf::extras_text(nlohmann::json::parse(text)); }
 
