@@ -19,22 +19,9 @@ namespace {
 
 using gltf::JsonText;
 
-// Bytes that are written at most: of a number and its comma, of a character, of a fill and of all settings without
-// these.
-constexpr std::size_t kNumberBytes = 27, kCharacterBytes = 6, kFillBytes = 1'024, kOtherBytes = 4'096;
+// Bytes that are written at most: of a character, of a fill without its names, of all the rest.
+constexpr std::size_t kCharacterBytes = 6, kFillBytes = 1'024, kOtherBytes = 4'096;
 constexpr std::size_t kTuftsAtOnce = 16;  // of which a worker writes the text: some 30 us
-
-std::size_t most_bytes(const Hairstyle& hairstyle) {
-    std::size_t bytes = kOtherBytes;
-    if (const auto* mesh = std::get_if<ScalpMesh>(&hairstyle.head.scalp))
-        bytes += 3 * (mesh->positions.size() + mesh->triangles.size()) * kNumberBytes;
-    for (const HairFill& fill : hairstyle.fills) {
-        const std::size_t to = fill.to ? hairstyle.tufts[*fill.to].name.size() : 0;
-        const std::size_t letters = hairstyle.tufts[fill.from].name.size() + to + fill.settings.name.size();
-        bytes += kFillBytes + letters * kCharacterBytes;
-    }
-    return bytes;
-}
 
 JsonText& write(JsonText& to, const double value) { return to.number(value); }
 
@@ -195,6 +182,21 @@ void write_motion(JsonText& to, const Motion& motion) {
     to.close('}');
 }
 
+std::size_t most_bytes(const Hairstyle& hairstyle) {
+    std::size_t bytes = kOtherBytes;
+    if (const auto* mesh = std::get_if<ScalpMesh>(&hairstyle.head.scalp)) {
+        JsonText counted;  // since room for a million of the longest numbers would be twice as much as they need
+        write_scalp(counted, *mesh);
+        bytes += counted.bytes();
+    }
+    for (const HairFill& fill : hairstyle.fills) {
+        const std::size_t to = fill.to ? hairstyle.tufts[*fill.to].name.size() : 0;
+        const std::size_t letters = hairstyle.tufts[fill.from].name.size() + to + fill.settings.name.size();
+        bytes += kFillBytes + letters * kCharacterBytes;
+    }
+    return bytes;
+}
+
 /// All but the tufts, up to the comma before them.
 void append_settings(std::string& out, const Hairstyle& hairstyle, const gltf::Look& look) {
     const std::size_t before = out.size();
@@ -232,7 +234,11 @@ std::vector<std::string> tuft_texts(const std::vector<Tuft>& tufts, const ForEac
 void append_hairstyle(std::string& out, const Hairstyle& hairstyle, const gltf::Look& look, const ForEach& for_each) {
     append_settings(out, hairstyle, look);
     out += "\"tufts\":[";
-    for (const std::string& some : tuft_texts(hairstyle.tufts, for_each)) out += some;
+    const std::vector<std::string> texts = tuft_texts(hairstyle.tufts, for_each);
+    std::size_t bytes = out.size() + kOtherBytes;  // room for what comes behind, too
+    for (const std::string& some : texts) bytes += some.size();
+    out.reserve(bytes);
+    for (const std::string& some : texts) out += some;
     out += "]}";
 }
 
