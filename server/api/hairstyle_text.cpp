@@ -21,7 +21,7 @@ using gltf::JsonText;
 
 // Bytes that are written at most: of a character, of a fill without its names, of all the rest.
 constexpr std::size_t kCharacterBytes = 6, kFillBytes = 1'024, kOtherBytes = 4'096;
-constexpr std::size_t kTuftsAtOnce = 16;  // of which a worker writes the text: some 30 us
+constexpr std::size_t kTuftsAtOnce = 128;  // for a worker; a usual head has fewer and waits for none
 
 JsonText& write(JsonText& to, const double value) { return to.number(value); }
 

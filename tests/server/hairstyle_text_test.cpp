@@ -93,7 +93,7 @@ TEST(HairstyleText, HasRoomForTheLongestOfAll) {
 
 TEST(HairstyleText, IsTheSameForAnyNumberOfWorkers) {
     Hairstyle many;
-    for (int i = 0; i < 100; ++i) many.tufts.push_back(tuft(std::to_string(i)));
+    for (int i = 0; i < 300; ++i) many.tufts.push_back(tuft(std::to_string(i)));
     Pool pool(3, 8, std::chrono::seconds(1));
     EXPECT_EQ(hairstyle_text(many, {}, pool.for_each()), hairstyle_text(many, {}, InOrder()));
 }
