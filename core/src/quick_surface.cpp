@@ -23,13 +23,15 @@ using Row = std::array<float, Corners::kMost>;
 struct Rows {
     alignas(64) Row x, y, z;
 
-    /// Puts them side by side. @param to  room for all of them
-    TUFTWAVE_BODY void interleave(std::size_t count, float* to) const {
-        for (std::size_t k = 0; k < count; ++k) {
-            to[3 * k] = x[k];
-            to[3 * k + 1] = y[k];
-            to[3 * k + 2] = z[k];
-        }
+    /// What puts them side by side.
+    TUFTWAVE_BODY auto interleaved(std::size_t count) const {
+        return [this, count](float* to) {
+            for (std::size_t k = 0; k < count; ++k) {
+                to[3 * k] = x[k];
+                to[3 * k + 1] = y[k];
+                to[3 * k + 2] = z[k];
+            }
+        };
     }
 };
 
@@ -143,17 +145,21 @@ struct WholeReach {
     }
 };
 
-/// Rows of interleaved numbers, written root to tip: what one has too much is overwritten by the next one.
+/// Rows of vertices, written root to tip: what one has too much is overwritten by the next one.
 class RowWriter {
   public:
-    RowWriter(std::span<float> to, std::size_t sides) : to_(to), row_(3 * (sides + 1)) {}
+    /// @param width  numbers per vertex
+    RowWriter(std::span<float> to, std::size_t width, const Corners& corners)
+        : to_(to), row_(width * (corners.count() + 1)), room_(width * corners.padded()) {}
 
-    TUFTWAVE_BODY void write(const Rows& rows, std::size_t padded) {
-        if (next_ + 3 * padded <= to_.size()) {
-            rows.interleave(padded, &to_[next_]);
+    /// @param fill  writes a row in whole vectors
+    template <class Fill>
+    TUFTWAVE_BODY void write(const Fill& fill) {
+        if (next_ + room_ <= to_.size()) {
+            fill(&to_[next_]);
         } else {
             std::array<float, 3 * Corners::kMost> last;
-            rows.interleave(padded, last.data());
+            fill(last.data());
             std::copy_n(last.begin(), row_, &to_[next_]);
         }
         next_ += row_;
@@ -161,48 +167,64 @@ class RowWriter {
 
   private:
     std::span<float> to_;
-    std::size_t row_, next_ = 0;
+    std::size_t row_, room_, next_ = 0;
 };
 
-TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, double scale, std::span<float> positions,
-                             std::span<float> normals, std::vector<std::size_t>& left) {
+TUFTWAVE_BODY void write_uvs(const MeshPlan& plan, const Corners& corners, std::span<float> uvs) {
+    alignas(64) Row across;
+    for (std::size_t k = 0; k < corners.padded(); ++k)
+        across[k] = static_cast<float>(static_cast<double>(k) / static_cast<double>(corners.count()));
+    RowWriter to(uvs, 2, corners);
+    for (const Ring& ring : plan.rings) {
+        const auto along = static_cast<float>(ring.along);
+        to.write([&](float* row) {
+            for (std::size_t k = 0; k < corners.padded(); ++k) {
+                row[2 * k] = across[k];
+                row[2 * k + 1] = along;
+            }
+        });
+    }
+}
+
+TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, double scale, const SurfaceSpans& out,
+                             std::vector<std::size_t>& left) {
     const std::size_t count = plan.rings.size(), padded = corners.padded();
     const WholeReach reach;
     Offsets rings[3];
     Rows rows;
-    RowWriter to_positions(positions, corners.count()), to_normals(normals, corners.count());
+    RowWriter positions(out.positions, 3, corners), normals(out.normals, 3, corners);
     Offsets *before = &rings[0], *here = &rings[1], *after = &rings[2];
     before->middle = plan.root;
     stand(plan.rings[0], corners, reach.of(plan, 0), scale, *here, rows);
-    to_positions.write(rows, padded);
+    positions.write(rows.interleaved(padded));
     Way in(*before, *here, scale);
     for (std::size_t i = 0; i < count; ++i) {
         if (i + 1 < count) {
             stand(plan.rings[i + 1], corners, reach.of(plan, i + 1), scale, *after, rows);
-            to_positions.write(rows, padded);
+            positions.write(rows.interleaved(padded));
         } else if (plan.flat_tip) {
             *after = *here;
         } else {
             *after = {};
             after->middle = plan.tip;
         }
-        const Way out(*here, *after, scale);
-        if (!find_normals(*before, *here, *after, in, out, padded, rows)) left.push_back(i);
-        to_normals.write(rows, padded);
+        const Way on(*here, *after, scale);
+        if (!find_normals(*before, *here, *after, in, on, padded, rows)) left.push_back(i);
+        normals.write(rows.interleaved(padded));
         Offsets* const passed = before;
         before = here;
         here = after;
         after = passed;
-        in = out;
+        in = on;
     }
+    write_uvs(plan, corners, out.uvs);
 }
 
 }  // namespace
 
-std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, std::span<float> positions,
-                                               std::span<float> normals) {
+std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out) {
     std::vector<std::size_t> left;
-    run_with<write_all>(vectors, plan, corners_of(plan.sides), scale_of(plan), positions, normals, left);
+    run_with<write_all>(vectors, plan, corners_of(plan.sides), scale_of(plan), out, left);
     return left;
 }
 

@@ -9,12 +9,15 @@
 
 namespace tuftwave {
 
-/// Writes the corners of all rings and their normals as write_corners() does, the corners to the same bits; normals are
-/// computed in floats, from where corners stand relative to their ring.
-/// @param positions, normals  3 (sides + 1) per ring
+/// Where the rings of a tuft go, sides + 1 vertices each.
+struct SurfaceSpans {
+    std::span<float> positions, normals, uvs;  ///< 3, 3 and 2 per vertex
+};
+
+/// Writes all rings: the corners and normals as write_corners() does, but in floats, from where corners stand relative
+/// to their ring; u and v.
 /// @return  the rings that are left to write_corners(), since floats are not good enough for one of their normals: they
 ///          are much thinner than others of the tuft, or nearly meet, or have a sharp edge
-std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, std::span<float> positions,
-                                               std::span<float> normals);
+std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out);
 
 }  // namespace tuftwave

@@ -16,30 +16,20 @@ namespace {
 class TuftMesher {
   public:
     TuftMesher(const MeshPlan& plan, const MeshSpans& out, Vectors vectors)
-        : plan_(plan), out_(out), vectors_(vectors), corners_(corners_of(plan.sides)) {
-        for (std::size_t j = 0; j <= corners_.count(); ++j)
-            across_[j] = static_cast<float>(static_cast<double>(j) / static_cast<double>(corners_.count()));
-    }
+        : plan_(plan), out_(out), vectors_(vectors), corners_(corners_of(plan.sides)) {}
 
     void write() {
         write_apex(plan_.root, plan_.root_direction, 0);
-        const std::size_t numbers = 3 * plan_.rings.size() * (corners_.count() + 1);
-        const std::span<float> positions = out_.positions.subspan(3 * next_, numbers);
-        const std::span<float> normals = out_.normals.subspan(3 * next_, numbers);
-        for (const std::size_t ring : write_surface_quickly(plan_, vectors_, positions, normals))
-            write_left_ring(ring, positions, normals);
+        const std::size_t count = plan_.rings.size() * (corners_.count() + 1);
+        const SurfaceSpans rings{out_.positions.subspan(3 * next_, 3 * count), out_.normals.subspan(3 * next_, 3 * count),
+                                 out_.uvs.subspan(2 * next_, 2 * count)};
+        for (const std::size_t ring : write_surface_quickly(plan_, vectors_, rings)) write_left_ring(ring, rings);
         for (const Ring& ring : plan_.rings) finish_row(ring.along);
         if (plan_.flat_tip) write_cap();
         write_apex(plan_.tip, plan_.tip_direction, 1);
     }
 
   private:
-    /// What the next row of vertices has of a span. @param width  numbers per vertex
-    template <class Number>
-    std::span<Number> row(std::span<Number> all, std::size_t width) const {
-        return all.subspan(width * next_, width * (corners_.count() + 1));
-    }
-
     /// @param ring  below 0 and behind the last: what the surface ends in
     RingCorners standing(std::ptrdiff_t ring) const {
         RingCorners to;
@@ -53,11 +43,11 @@ class TuftMesher {
         return to;
     }
 
-    void write_left_ring(std::size_t ring, std::span<float> positions, std::span<float> normals) const {
+    void write_left_ring(std::size_t ring, const SurfaceSpans& rings) const {
         const auto at = static_cast<std::ptrdiff_t>(ring);
         const std::size_t row = 3 * (corners_.count() + 1);
         write_corners(plan_.rings[ring], corners_, {standing(at - 1), standing(at), standing(at + 1)}, vectors_,
-                      positions.subspan(ring * row, row), normals.subspan(ring * row, row));
+                      rings.positions.subspan(ring * row, row), rings.normals.subspan(ring * row, row));
     }
 
     static void put(std::span<float> to, const Vec3& v) {
@@ -77,22 +67,22 @@ class TuftMesher {
 
     /// The last ring once more, looking the way that the tip does.
     void write_cap() {
-        const std::size_t row = 3 * (corners_.count() + 1);
-        const auto positions = out_.positions.begin() + static_cast<std::ptrdiff_t>(3 * next_);
-        std::copy(positions - static_cast<std::ptrdiff_t>(row), positions, positions);
-        for (std::size_t column = 0; column <= corners_.count(); ++column)
-            put(out_.normals.subspan(3 * (next_ + column)), plan_.tip_direction);
+        const std::size_t columns = corners_.count() + 1;
+        const auto copy_last = [&](std::span<float> all, std::size_t width) {
+            const auto row = all.subspan(width * (next_ - columns), 2 * width * columns);
+            std::copy_n(row.begin(), width * columns, row.begin() + static_cast<std::ptrdiff_t>(width * columns));
+        };
+        copy_last(out_.positions, 3);
+        copy_last(out_.uvs, 2);
+        for (std::size_t vertex = next_; vertex < next_ + columns; ++vertex) {
+            put(out_.normals.subspan(3 * vertex), plan_.tip_direction);
+            out_.uvs[2 * vertex + 1] = 1;
+        }
         finish_row(1);
     }
 
-    /// Everything of a row that is the same all around, and u.
+    /// What hangs a row on the bones.
     void finish_row(double along) {
-        const std::span<float> uvs = row(out_.uvs, 2);
-        const auto v = static_cast<float>(along);
-        for (std::size_t j = 0; j <= corners_.count(); ++j) {
-            uvs[2 * j] = across_[j];
-            uvs[2 * j + 1] = v;
-        }
         write_influences(along, corners_.count() + 1);
         next_ += corners_.count() + 1;
     }
@@ -119,8 +109,7 @@ class TuftMesher {
     const MeshSpans& out_;
     const Vectors vectors_;
     const Corners& corners_;
-    std::array<float, kMostSides + 1> across_;  // u of each column
-    std::size_t next_ = 0;                      // vertex
+    std::size_t next_ = 0;  // vertex
 };
 
 /// Writes the two triangles between each two columns of a row and those of the next, row by row.
