@@ -58,7 +58,7 @@ struct Steps {
     static constexpr std::size_t kMost = 64;
     using Row = std::array<double, kMost>;
     VectorRows<kMost> x, y, z;  // what a normal is multiplied by to be carried along, row by row
-    alignas(64) Row forwards;  // 0 where the step tells nothing
+    alignas(64) Row forwards;   // 0 where the step tells nothing
     VectorRows<kMost> normals;
 };
 
@@ -109,10 +109,10 @@ struct Curve::FirstSamples {
     static constexpr std::size_t kHalves = 2 * kFirstSamples;
     using Rows = VectorRows<kMost>;
     using Row = std::array<double, kMost>;
-    Rows constant, linear, quadratic;                // of the velocities
-    std::array<Rows, kHalves> tangents;              // at the samples and halfway between; not finite at rest
-    alignas(64) std::array<Row, kHalves> speeds;     // likewise
-    alignas(64) std::array<Row, kHalves> turns;      // from the one before, radians; the first one's is not known
+    Rows constant, linear, quadratic;                 // of the velocities
+    std::array<Rows, kHalves> tangents;               // at the samples and halfway between; not finite at rest
+    alignas(64) std::array<Row, kHalves> speeds;      // likewise
+    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; the first one's is not known
     alignas(64) std::array<Row, kFirstSamples> arcs;  // from sample to sample, metres
 
     TUFTWAVE_BODY static void take(FirstSamples& s, std::size_t padded) {
@@ -131,7 +131,8 @@ struct Curve::FirstSamples {
         }
         for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
             const double from = static_cast<double>(piece) / kFirstSamples;
-            for (std::size_t k = 0; k < padded; ++k) s.arcs[piece][k] = s.velocity(k).arc(from, from + 1.0 / kFirstSamples);
+            for (std::size_t k = 0; k < padded; ++k)
+                s.arcs[piece][k] = s.velocity(k).arc(from, from + 1.0 / kFirstSamples);
         }
     }
 
@@ -238,8 +239,8 @@ void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t 
             continue;
         }
         const double speed = first.speeds[half][k];
-        sample_up_to(segment, from, t, {speed > 0 ? middle : last, speed}, {end.speed > 0 ? end.tangent : last, end.speed},
-                     0);
+        sample_up_to(segment, from, t, {speed > 0 ? middle : last, speed},
+                     {end.speed > 0 ? end.tangent : last, end.speed}, 0);
     }
 }
 
@@ -260,8 +261,8 @@ void Curve::add_sample(std::size_t segment, double from, double t, const Heading
     const Sample& last = samples_.back();
     const Segment& bezier = segments_[segment];
     const double from_speed = from > 0 ? last.speed : length(bezier.constant);
-    samples_.push_back({segment, from, t, from_speed, end.speed, arc, last.turning + turn,
-                        {bezier.point(t), end.tangent, {}}});
+    samples_.push_back(
+        {segment, from, t, from_speed, end.speed, arc, last.turning + turn, {bezier.point(t), end.tangent, {}}});
 }
 
 void Curve::carry_normals() {

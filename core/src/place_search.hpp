@@ -36,11 +36,11 @@ struct PlaceSearch {
     Rows constant, linear, quadratic;  ///< of its velocity
     alignas(64) Row t0, t1;            ///< where the piece starts and ends
     alignas(64) Row speed0, speed1;    ///< there
-    alignas(64) Row wanted, whole;  ///< metres from its start to the place, and to its end
-    Rows point, tangent, normal;    ///< the frame at its start; found_frames() replaces it by the place's
-    alignas(64) Row t;              ///< found: the parameter
-    alignas(64) Row missed;         ///< found: 0 where t is as exact as doubles are, 1 where it may not be
-    alignas(64) Row normal_size;    ///< found: 0 where the frame has no normal
+    alignas(64) Row wanted, whole;     ///< metres from its start to the place, and to its end
+    Rows point, tangent, normal;       ///< the frame at its start; found_frames() replaces it by the place's
+    alignas(64) Row t;                 ///< found: the parameter
+    alignas(64) Row missed;            ///< found: 0 where t is as exact as doubles are, 1 where it may not be
+    alignas(64) Row normal_size;       ///< found: 0 where the frame has no normal
 
     /// Finds `t` of the first `count` places from guesses by cubic interpolation, in one or two steps of the third
     /// order.

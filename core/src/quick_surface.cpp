@@ -42,8 +42,8 @@ struct Point {
         : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
 };
 
-/// From the middle of a ring to its corners, in units of the tuft's half width. As in RingCorners the last one is there again
-/// before the first.
+/// From the middle of a ring to its corners, in units of the tuft's half width. As in RingCorners the last one is there
+/// again before the first.
 struct Offsets {
     alignas(64) std::array<float, Corners::kMost + 2> x{}, y{}, z{};
     Vec3 middle;
@@ -92,9 +92,15 @@ TUFTWAVE_BODY void stand(const Ring& ring, const Corners& corners, const float* 
     offsets.width = scale * ring.half_width;
 }
 
+/// The sums of the normals before and after, not yet of unit length.
+struct Sums {
+    Rows sums;
+    alignas(64) Row squares;  // of their lengths
+};
+
 /// @return  whether floats are good enough for all of them
-TUFTWAVE_BODY bool find_normals(const Offsets& before, const Offsets& here, const Offsets& after, const Way& in,
-                                const Way& out, std::size_t padded, Rows& normals) {
+TUFTWAVE_BODY bool find_sums(const Offsets& before, const Offsets& here, const Offsets& after, const Way& in,
+                             const Way& out, std::size_t padded, Sums& found) {
     const auto area = static_cast<float>(here.width * here.width);
     const float least = kLeastAreas * (area * in.most) * (area * out.most);
     std::uint32_t lost = 0;
@@ -115,16 +121,26 @@ TUFTWAVE_BODY bool find_normals(const Offsets& before, const Offsets& here, cons
         const float second_square = second_x * second_x + second_y * second_y + second_z * second_z;
         // first / |first| + second / |second|, times |first| |second|^2.
         const float product = first_square * second_square, both = std::sqrt(product);
-        const float sum_x = second_square * first_x + both * second_x, sum_y = second_square * first_y + both * second_y,
+        const float sum_x = second_square * first_x + both * second_x,
+                    sum_y = second_square * first_y + both * second_y,
                     sum_z = second_square * first_z + both * second_z;
         const float square = sum_x * sum_x + sum_y * sum_y + sum_z * sum_z;
         lost |= (product > least ? 0U : 1U) | (square > kLeastSum * product * second_square ? 0U : 1U);
-        const float unit = 1 / std::sqrt(square);
-        normals.x[k] = unit * sum_x;
-        normals.y[k] = unit * sum_y;
-        normals.z[k] = unit * sum_z;
+        found.sums.x[k] = sum_x;
+        found.sums.y[k] = sum_y;
+        found.sums.z[k] = sum_z;
+        found.squares[k] = square;
     }
     return lost == 0;
+}
+
+TUFTWAVE_BODY void normalize(const Sums& found, std::size_t padded, Rows& normals) {
+    for (std::size_t k = 0; k < padded; ++k) {
+        const float unit = 1 / std::sqrt(found.squares[k]);
+        normals.x[k] = unit * found.sums.x[k];
+        normals.y[k] = unit * found.sums.y[k];
+        normals.z[k] = unit * found.sums.z[k];
+    }
 }
 
 /// What makes the tuft's widest ring about 1, so that products of many sizes are floats.
@@ -193,6 +209,11 @@ TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, doubl
     Offsets rings[3];
     Rows rows;
     RowWriter positions(out.positions, 3, corners), normals(out.normals, 3, corners);
+    Sums sums[2];  // one ring's wait for the next one's: two roots one after the other take long
+    const auto write_normals = [&](std::size_t ring) {
+        normalize(sums[ring % 2], padded, rows);
+        normals.write(rows.interleaved(padded));
+    };
     Offsets *before = &rings[0], *here = &rings[1], *after = &rings[2];
     before->middle = plan.root;
     stand(plan.rings[0], corners, reach.of(plan, 0), scale, *here, rows);
@@ -209,14 +230,15 @@ TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, doubl
             after->middle = plan.tip;
         }
         const Way on(*here, *after, scale);
-        if (!find_normals(*before, *here, *after, in, on, padded, rows)) left.push_back(i);
-        normals.write(rows.interleaved(padded));
+        if (!find_sums(*before, *here, *after, in, on, padded, sums[i % 2])) left.push_back(i);
+        if (i > 0) write_normals(i - 1);
         Offsets* const passed = before;
         before = here;
         here = after;
         after = passed;
         in = on;
     }
+    write_normals(count - 1);
     write_uvs(plan, corners, out.uvs);
 }
 

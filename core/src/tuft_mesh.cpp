@@ -21,8 +21,8 @@ class TuftMesher {
     void write() {
         write_apex(plan_.root, plan_.root_direction, 0);
         const std::size_t count = plan_.rings.size() * (corners_.count() + 1);
-        const SurfaceSpans rings{out_.positions.subspan(3 * next_, 3 * count), out_.normals.subspan(3 * next_, 3 * count),
-                                 out_.uvs.subspan(2 * next_, 2 * count)};
+        const SurfaceSpans rings{out_.positions.subspan(3 * next_, 3 * count),
+                                 out_.normals.subspan(3 * next_, 3 * count), out_.uvs.subspan(2 * next_, 2 * count)};
         for (const std::size_t ring : write_surface_quickly(plan_, vectors_, rings)) write_left_ring(ring, rings);
         for (const Ring& ring : plan_.rings) finish_row(ring.along);
         if (plan_.flat_tip) write_cap();

@@ -114,7 +114,8 @@ TUFTWAVE_BODY void cut_folds(Window& window) {
         const double *a_sizes = &window.sizes[(ring - 1) * window.row()], *b_sizes = a_sizes + window.row();
         double *a_cuts = &window.cuts[(ring - 1) * window.row()], *b_cuts = a_cuts + window.row();
         for (std::size_t k = 0; k < window.row(); ++k) {
-            const double ahead = a_up * cosines[k] + a_across * sines[k], back = b_up * cosines[k] + b_across * sines[k];
+            const double ahead = a_up * cosines[k] + a_across * sines[k],
+                         back = b_up * cosines[k] + b_across * sines[k];
             const double lost = larger(ahead, 0) + larger(-back, 0);
             const double part = lost > allowed ? 1 - allowed / lost : 0;
             a_cuts[k] = larger(a_cuts[k], larger(part, whole) * a_sizes[k]);
@@ -215,7 +216,8 @@ Reach unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
     std::vector<Fold> folds = folds_of(rings);
     if (folds.empty()) return {};
     double deepest = 0;  // no cut is deeper, and none fades further
-    for (const Fold& fold : folds) deepest = std::max({deepest, widest(rings[fold.ring - 1]), widest(rings[fold.ring])});
+    for (const Fold& fold : folds)
+        deepest = std::max({deepest, widest(rings[fold.ring - 1]), widest(rings[fold.ring])});
     std::size_t first = folds.front().ring - 1, last = folds.back().ring;
     for (double walked = 0; first > 0 && walked <= deepest / kFadeSlope; --first)
         walked += distance(rings[first - 1], rings[first]);

@@ -78,7 +78,8 @@ TEST(Unfold, LeavesNoFinBetweenTwoNearBends) {
         float before = 1, after = 1;
         for (std::size_t k = 0; k < i; ++k) before = std::min(before, share(plan, k, innermost));
         for (std::size_t k = i + 1; k < rings; ++k) after = std::min(after, share(plan, k, innermost));
-        EXPECT_LE(share(plan, i, innermost), std::max(before, after) + 0.05F) << "ring " << i << ", corner " << innermost;
+        EXPECT_LE(share(plan, i, innermost), std::max(before, after) + 0.05F)
+            << "ring " << i << ", corner " << innermost;
     }
 }
 

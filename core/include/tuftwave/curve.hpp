@@ -44,8 +44,8 @@ class Curve {
     /// The angle the tangent turns through from the start up to `along`, radians, never falling.
     double turning_until(double along) const;
 
-    /// Where shares of length and turning together are reached, so that equal parts are shorter in bends; quickest where
-    /// they rise.
+    /// Where shares of length and turning together are reached, so that equal parts are shorter in bends; quickest
+    /// where they rise.
     /// @param parts       0 to 1
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
     /// @param along, out  as many arc lengths, metres, and the frames there

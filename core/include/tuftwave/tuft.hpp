@@ -93,7 +93,7 @@ struct MeshPlan {
     Vec3 root_direction, tip_direction;  ///< unit, outward at the two ends
     std::vector<Ring> rings;             ///< without the apexes; none where only the mesh's size is planned
     Reach reach;
-    bool flat_tip = false;     ///< p = 100: a cap at full width
+    bool flat_tip = false;  ///< p = 100: a cap at full width
     int sides = 0;
     int joints = 0;  ///< bones of the chain that the vertices hang on; 0 without a skin
 

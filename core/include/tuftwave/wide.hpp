@@ -3,9 +3,9 @@
 #include <span>
 #include <utility>
 
-/// Vector code without intrinsics: a plain loop over small arrays, written once as an inline body and compiled for every
-/// CPU that the program runs on, for those with vectors of four doubles and for those with vectors of eight. None of
-/// them contracts or reorders, so all give the same bits.
+/// Vector code without intrinsics: a plain loop over small arrays, written once as an inline body and compiled for
+/// every CPU that the program runs on, for those with vectors of four doubles and for those with vectors of eight. None
+/// of them contracts or reorders, so all give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define TUFTWAVE_WIDE [[gnu::target("avx2")]]
 #if defined(__clang__)
