@@ -147,7 +147,7 @@ const MeshPlan& mesh_plan(const HairPlan& plan, std::size_t tuft, MeshPlan& made
     const MeshPlan& kept = plan.tufts[tuft];
     if (!kept.rings.empty()) return kept;
     const Hairstyle& hairstyle = *plan.hairstyle;
-    made = std::move(plan_tuft(tuft_at(plan, tuft), hairstyle.head, hairstyle.mesh, plan.limits)->mesh);
+    made = std::move(plan_sound_tuft(tuft_at(plan, tuft), hairstyle.head, hairstyle.mesh, plan.limits)->mesh);
     return made;
 }
 

@@ -63,6 +63,11 @@ MeshPlan plan_mesh_size(const Tuft& tuft, const MeshDetail& detail) {
 Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
                               Vectors vectors) {
     if (Check wrong = check_tuft(tuft, head, limits)) return *wrong;
+    return plan_sound_tuft(tuft, head, detail, limits, vectors);
+}
+
+Result<PlannedTuft> plan_sound_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
+                                    Vectors vectors) {
     std::vector<Vec3> points{sunk_root(head, tuft.points.front())};
     points.insert(points.end(), tuft.points.begin(), tuft.points.end());
     Curve curve(points, vectors);

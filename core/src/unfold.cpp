@@ -144,19 +144,18 @@ TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards sid
 /// Whether a corner is cut less than both before and after it.
 TUFTWAVE_BODY bool has_valley(const Window& window) {
     const std::size_t row = window.row(), from = window.folds.front().ring - 1, to = window.folds.back().ring;
-    std::array<double, Corners::kMost> deepest, falls;  // so far; whether it has been less since, as 0 or 1
-    deepest.fill(0);
-    falls.fill(0);
-    double valleys = 0;
+    std::array<double, Corners::kMost> deepest, falls, valleys;  // so far; 1 where it has been less since; and rose again
+    for (std::size_t k = 0; k < row; ++k) deepest[k] = falls[k] = valleys[k] = 0;
     for (std::size_t i = from; i <= to; ++i) {
         const double *cuts = &window.cuts[i * row], *last = i > from ? cuts - row : cuts;
         for (std::size_t k = 0; k < row; ++k) {
+            valleys[k] = cuts[k] > last[k] ? larger(valleys[k], falls[k]) : valleys[k];
             falls[k] = cuts[k] < deepest[k] ? 1 : falls[k];
             deepest[k] = larger(deepest[k], cuts[k]);
-            valleys += cuts[k] > last[k] ? falls[k] : 0;
         }
     }
-    return valleys > 0;
+    return std::any_of(valleys.begin(), valleys.begin() + static_cast<std::ptrdiff_t>(row),
+                       [](double valley) { return valley > 0; });
 }
 
 /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a fin:

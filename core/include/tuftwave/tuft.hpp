@@ -117,6 +117,10 @@ MeshPlan plan_mesh_size(const Tuft& tuft, const MeshDetail& detail);
 Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
                               Vectors vectors = widest_vectors());
 
+/// The same for a tuft that check_tuft() finds nothing wrong with. @errors  too_many (rings)
+Result<PlannedTuft> plan_sound_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
+                                    Vectors vectors = widest_vectors());
+
 /// Where a tuft's vertices go. Each span holds vertex_count() times its width; triangles are counter-clockwise from
 /// outside.
 struct MeshSpans {
