@@ -76,13 +76,12 @@ TUFTWAVE_BODY void find_steps(const Sample* samples, std::size_t count, Steps& t
     }
 }
 
+/// Rounding leaves a trace of the tangents in the normals.
 template <class Sample>
-TUFTWAVE_BODY void set_normals(Sample* samples, std::size_t count, const Steps& from) {
+TUFTWAVE_BODY void straighten_normals(const Sample* samples, std::size_t count, Steps& steps) {
     for (std::size_t k = 0; k < count; ++k) {
-        CurveFrame& frame = samples[k + 1].frame;
-        const Vec3 upright = rejected(from.normals[k], frame.tangent);  // rounding leaves a trace of tangent
-        const double size = length(upright);
-        frame.normal = 1 / size * upright;
+        const Vec3 upright = rejected(steps.normals[k], samples[k + 1].frame.tangent);
+        steps.normals.set(k, 1 / length(upright) * upright);
     }
 }
 
@@ -283,7 +282,8 @@ void Curve::carry_normals() {
             }
             steps.normals.set(k, normal);
         }
-        run_with<set_normals<Sample>>(vectors_, samples, count, steps);
+        run_with<straighten_normals<Sample>>(vectors_, samples, count, steps);
+        for (std::size_t k = 0; k < count; ++k) samples[k + 1].frame.normal = steps.normals[k];
         normal = samples[count].frame.normal;
     }
 }

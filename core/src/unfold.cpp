@@ -93,6 +93,10 @@ TUFTWAVE_BODY void measure_corners(Window& window) {
     for (std::size_t i = 0; i < window.rings.size(); ++i) {
         const double thickness = window.rings[i].half_thickness, width = window.rings[i].half_width;
         double* const sizes = &window.sizes[i * window.row()];
+        if (thickness == width) {
+            std::fill_n(sizes, window.row(), width);
+            continue;
+        }
         for (std::size_t k = 0; k < window.row(); ++k) {
             const double up = thickness * cosines[k], across = width * sines[k];
             sizes[k] = std::sqrt(up * up + across * across);
