@@ -1,4 +1,4 @@
-// Based on: our own. The normals of surface.cpp, where floats are good enough for them.
+// Based on: our own. The normals of ring_normals.cpp, where floats are good enough for them.
 #include "quick_surface.hpp"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ struct Point {
         : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
 };
 
-/// From the middle of a ring to its corners, in units of the tuft's half width. As in RingCorners the last one is there
-/// again before the first.
+/// From the middle of a ring to its corners, in units of the tuft's half width. The last one is there again before the
+/// first, so that each has both neighbours beside it.
 struct Offsets {
     alignas(64) std::array<float, Corners::kMost + 2> x{}, y{}, z{};
     Vec3 middle;

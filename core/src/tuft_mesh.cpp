@@ -6,7 +6,7 @@
 
 #include "corners.hpp"
 #include "quick_surface.hpp"
-#include "surface.hpp"
+#include "ring_normals.hpp"
 #include "tuftwave/tuft.hpp"
 #include "tuftwave/wide.hpp"
 
@@ -23,7 +23,8 @@ class TuftMesher {
         const std::size_t count = plan_.rings.size() * (corners_.count() + 1);
         const SurfaceSpans rings{out_.positions.subspan(3 * next_, 3 * count),
                                  out_.normals.subspan(3 * next_, 3 * count), out_.uvs.subspan(2 * next_, 2 * count)};
-        for (const std::size_t ring : write_surface_quickly(plan_, vectors_, rings)) write_left_ring(ring, rings);
+        for (const std::size_t ring : write_surface_quickly(plan_, vectors_, rings))
+            write_left_normals(ring, rings.normals);
         for (const Ring& ring : plan_.rings) finish_row(ring.along);
         if (plan_.flat_tip) write_cap();
         write_apex(plan_.tip, plan_.tip_direction, 1);
@@ -31,23 +32,19 @@ class TuftMesher {
 
   private:
     /// @param ring  below 0 and behind the last: what the surface ends in
-    RingCorners standing(std::ptrdiff_t ring) const {
-        RingCorners to;
+    RingCorners corners_at(std::ptrdiff_t ring) const {
         const auto last = static_cast<std::ptrdiff_t>(plan_.rings.size()) - 1;
-        if (ring < 0 || (ring > last && !plan_.flat_tip)) {
-            to.gather(ring < 0 ? plan_.root : plan_.tip);
-            return to;
-        }
+        if (ring < 0) return gathered(plan_.root);
+        if (ring > last && !plan_.flat_tip) return gathered(plan_.tip);
         const auto at = static_cast<std::size_t>(std::min(ring, last));
-        to.stand(plan_.rings[at], corners_, plan_.reach.of(at), vectors_);
-        return to;
+        return standing(plan_.rings[at], corners_, plan_.reach.of(at));
     }
 
-    void write_left_ring(std::size_t ring, const SurfaceSpans& rings) const {
+    void write_left_normals(std::size_t ring, std::span<float> normals) const {
         const auto at = static_cast<std::ptrdiff_t>(ring);
         const std::size_t row = 3 * (corners_.count() + 1);
-        write_corners(plan_.rings[ring], corners_, {standing(at - 1), standing(at), standing(at + 1)}, vectors_,
-                      rings.positions.subspan(ring * row, row), rings.normals.subspan(ring * row, row));
+        write_normals(plan_.rings[ring], corners_, {corners_at(at - 1), corners_at(at), corners_at(at + 1)},
+                      normals.subspan(ring * row, row));
     }
 
     static void put(std::span<float> to, const Vec3& v) {

@@ -148,7 +148,8 @@ TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards sid
 /// Whether a corner is cut less than both before and after it.
 TUFTWAVE_BODY bool has_valley(const Window& window) {
     const std::size_t row = window.row(), from = window.folds.front().ring - 1, to = window.folds.back().ring;
-    std::array<double, Corners::kMost> deepest, falls, valleys;  // so far; 1 where it has been less since; and rose again
+    std::array<double, Corners::kMost> deepest, falls,
+        valleys;  // so far; 1 where it has been less since; and rose again
     for (std::size_t k = 0; k < row; ++k) deepest[k] = falls[k] = valleys[k] = 0;
     for (std::size_t i = from; i <= to; ++i) {
         const double *cuts = &window.cuts[i * row], *last = i > from ? cuts - row : cuts;
