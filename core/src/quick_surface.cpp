@@ -11,11 +11,13 @@
 namespace tuftwave {
 namespace {
 
-/// Share of the largest areas that the pieces before and after a corner could have, squared and multiplied, below which
-/// floats lose their direction.
-constexpr float kLeastAreas = 1e-10F;
+/// Share of the largest area that a piece before or behind a corner could have, squared, below which floats lose its
+/// direction.
+constexpr float kLeastArea = 1e-6F;
 /// Likewise of the sum of two unit normals: below it they look apart by more than 156 degrees.
 constexpr float kLeastSum = 0.04F;
+/// Squares that are smaller may have lost digits.
+constexpr float kLeastSquare = 1e-30F;
 
 /// One number per corner, as many as Corners::padded().
 using Row = std::array<float, Corners::kMost>;
@@ -102,7 +104,7 @@ struct Sums {
 TUFTWAVE_BODY bool find_sums(const Offsets& before, const Offsets& here, const Offsets& after, const Way& in,
                              const Way& out, std::size_t padded, Sums& found) {
     const auto area = static_cast<float>(here.width * here.width);
-    const float least = kLeastAreas * (area * in.most) * (area * out.most);
+    const float least_in = kLeastArea * area * in.most, least_out = kLeastArea * area * out.most;
     std::uint32_t lost = 0;
     for (std::size_t k = 0; k < padded; ++k) {
         const float around_x = here.x[k + 2] - here.x[k], around_y = here.y[k + 2] - here.y[k],
@@ -125,7 +127,8 @@ TUFTWAVE_BODY bool find_sums(const Offsets& before, const Offsets& here, const O
                     sum_y = second_square * first_y + both * second_y,
                     sum_z = second_square * first_z + both * second_z;
         const float square = sum_x * sum_x + sum_y * sum_y + sum_z * sum_z;
-        lost |= (product > least ? 0U : 1U) | (square > kLeastSum * product * second_square ? 0U : 1U);
+        lost |= (first_square > least_in ? 0U : 1U) | (second_square > least_out ? 0U : 1U) |
+                (square > kLeastSum * product * second_square + kLeastSquare ? 0U : 1U);
         found.sums.x[k] = sum_x;
         found.sums.y[k] = sum_y;
         found.sums.z[k] = sum_z;

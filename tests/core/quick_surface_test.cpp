@@ -56,7 +56,7 @@ void expect_as_in_doubles(const Tuft& tuft, const MeshDetail& detail) {
             const Vec3 around = here[(j + 1) % sides] - here[(j + sides - 1) % sides];
             const Vec3 first = cross(around, corner - before[j % sides]),
                        second = cross(around, after[j % sides] - corner);
-            const double least = 1e-6 * length(around) * length(around);
+            const double least = 1e-8 * plan.rings[i].half_width * plan.rings[i].half_width;
             if (!(length(first) > least && length(second) > least)) continue;
             const Vec3 sum = normalized(first) + normalized(second);
             if (!(length(sum) > 0.2)) continue;
