@@ -1,14 +1,13 @@
 // Based on: Shimosoyama, Yamamoto, Noma. NPR Hair Modeling by Controlling the Shape of Tufts. Section 3.1 (composite
 // cubic Bezier through the points). C. Yuksel, S. Schaefer, J. Keyser. Parameterization and applications of
-// Catmull-Rom curves. 2011 (centripetal knots). W. Wang et al. Computation of rotation minimizing frames. 2008
-// (double reflection).
+// Catmull-Rom curves. 2011 (centripetal knots).
 // Differs: a stroke that doubles back on itself, where the tangent vanishes, gets a tight hairpin in place of a cusp.
 #include "tuftwave/curve.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "bezier.hpp"
+#include "curve_segment.hpp"
 #include "place_search.hpp"
 #include "tuftwave/elementary.hpp"
 
@@ -18,18 +17,12 @@ namespace {
 /// Points nearer than this share of the stroke's length to the one before are merged into it.
 constexpr double kMergeShare = 1e-9;
 
-/// Between two samples the tangent turns less than this, radians (about 11 degrees), unless the halving bottoms out.
-constexpr double kSampleTurn = 0.2;
-constexpr std::size_t kFirstSamples = 4;  // per Bezier segment
-constexpr std::size_t kUsualSamples = 6;  // likewise, where some had to be halved
-constexpr int kDeepestHalving = 8;        // 4 x 256 samples per segment at most
+constexpr std::size_t kUsualSamples = 6;  // per Bezier segment
 
 /// A tangent shorter than this share of a usual one counts as vanished.
 constexpr double kVanishedTangent = 1e-6;
 /// Tangent of a hairpin as a share of a usual one: the turn takes about a tenth of the neighbouring segment.
 constexpr double kHairpinTangent = 0.1;
-
-constexpr double kUnknownArc = -1;  // of a piece, until all are measured at once
 
 /// Newton's steps towards a given arc length: three or four are usual, a vanishing tangent takes halvings.
 constexpr int kMostNewtonSteps = 50;
@@ -53,94 +46,7 @@ Vec3 centripetal_tangent(const Vec3& before, const Vec3& after, double d1, doubl
     return kHairpinTangent * usual * any_perpendicular(normalized(before));
 }
 
-/// Steps from sample to sample.
-struct Steps {
-    static constexpr std::size_t kMost = 64;
-    using Row = std::array<double, kMost>;
-    VectorRows<kMost> x, y, z;  // what a normal is multiplied by to be carried along, row by row
-    alignas(64) Row forwards;   // 0 where the step tells nothing
-    VectorRows<kMost> normals;
-};
-
-template <class Sample>
-TUFTWAVE_BODY void find_steps(const Sample* samples, std::size_t count, Steps& to) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const CurveFrame &from = samples[k].frame, &next = samples[k + 1].frame;
-        const bezier::Step step(from.point, from.tangent, next.point, next.tangent);
-        const Vec3 first = step.twice_first * step.first, second = step.twice_second * step.second,
-                   through = step.second - step.coupling * step.first;
-        to.x.set(k, Vec3{1, 0, 0} - first.x * step.first - second.x * through);
-        to.y.set(k, Vec3{0, 1, 0} - first.y * step.first - second.y * through);
-        to.z.set(k, Vec3{0, 0, 1} - first.z * step.first - second.z * through);
-        to.forwards[k] = step.is_forwards ? 1.0 : 0.0;
-    }
-}
-
-/// Rounding leaves a trace of the tangents in the normals.
-template <class Sample>
-TUFTWAVE_BODY void straighten_normals(const Sample* samples, std::size_t count, Steps& steps) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 upright = rejected(steps.normals[k], samples[k + 1].frame.tangent);
-        steps.normals.set(k, 1 / length(upright) * upright);
-    }
-}
-
-/// Pieces of segments that are measured at once.
-struct Arcs {
-    static constexpr std::size_t kMost = 16;
-    VectorRows<kMost> constant, linear, quadratic;  // of the velocities
-    alignas(64) std::array<double, kMost> from, to, length;
-
-    TUFTWAVE_BODY static void find(Arcs& arcs, std::size_t count) {
-        for (std::size_t k = 0; k < count; ++k) {
-            const bezier::Velocity velocity{arcs.constant[k], arcs.linear[k], arcs.quadratic[k]};
-            arcs.length[k] = velocity.arc(arcs.from[k], arcs.to[k]);
-        }
-    }
-};
-
 }  // namespace
-
-/// What the samples of some segments are made of, before anything is known to turn too quickly; segments stand side by
-/// side.
-struct Curve::FirstSamples {
-    static constexpr std::size_t kMost = 16, kVector = 4;  // segments
-    static constexpr std::size_t kHalves = 2 * kFirstSamples;
-    using Rows = VectorRows<kMost>;
-    using Row = std::array<double, kMost>;
-    Rows constant, linear, quadratic;                 // of the velocities
-    std::array<Rows, kHalves> tangents;               // at the samples and halfway between; not finite at rest
-    alignas(64) std::array<Row, kHalves> speeds;      // likewise
-    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; the first one's is not known
-    alignas(64) std::array<Row, kFirstSamples> arcs;  // from sample to sample, metres
-
-    TUFTWAVE_BODY static void take(FirstSamples& s, std::size_t padded) {
-        for (std::size_t half = 0; half < kHalves; ++half) {
-            const double t = static_cast<double>(half + 1) / kHalves;
-            for (std::size_t k = 0; k < padded; ++k) {
-                const Vec3 velocity = s.velocity(k).at(t);
-                const double speed = length(velocity);
-                s.speeds[half][k] = speed;
-                s.tangents[half].set(k, 1 / speed * velocity);
-            }
-        }
-        for (std::size_t half = 1; half < kHalves; ++half) {
-            for (std::size_t k = 0; k < padded; ++k)
-                s.turns[half][k] = length(s.tangents[half][k] - s.tangents[half - 1][k]);
-        }
-        for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
-            const double from = static_cast<double>(piece) / kFirstSamples;
-            for (std::size_t k = 0; k < padded; ++k)
-                s.arcs[piece][k] = s.velocity(k).arc(from, from + 1.0 / kFirstSamples);
-        }
-    }
-
-    TUFTWAVE_BODY bezier::Velocity velocity(std::size_t k) const { return {constant[k], linear[k], quadratic[k]}; }
-};
-
-bezier::Velocity Curve::Segment::velocity() const { return {constant, linear, quadratic}; }
-
-Vec3 Curve::Segment::point(double t) const { return t == 1 ? end : start + velocity().way_to(t); }
 
 double Curve::Segment::parameter(double t0, double t1, double wanted, double whole) const {
     const bezier::Velocity curve = velocity();
@@ -180,118 +86,6 @@ void Curve::make_segments(std::span<const Vec3> p) {
         chord = after;
         knot = knot_after;
     }
-}
-
-void Curve::measure() {
-    // Where two points are neighbouring doubles, the Bezier points between them coincide.
-    const auto [tangent, speed] = heading_at(0, 0, normalized(segments_[0].end - segments_[0].start));
-    samples_.push_back({0, 0, 0, speed, speed, 0, 0, {segments_[0].start, tangent, any_perpendicular(tangent)}});
-    FirstSamples first;
-    for (std::size_t from = 0; from < segments_.size(); from += FirstSamples::kMost) {
-        const std::size_t count = std::min(FirstSamples::kMost, segments_.size() - from);
-        const std::size_t padded = (count + FirstSamples::kVector - 1) / FirstSamples::kVector * FirstSamples::kVector;
-        for (std::size_t k = 0; k < padded; ++k) {
-            const Segment& segment = segments_[from + std::min(k, count - 1)];
-            first.constant.set(k, segment.constant);
-            first.linear.set(k, segment.linear);
-            first.quadratic.set(k, segment.quadratic);
-        }
-        run_with<FirstSamples::take>(vectors_, first, padded);
-        for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k);
-    }
-    find_unknown_arcs();
-    for (std::size_t i = 1; i < samples_.size(); ++i) samples_[i].along += samples_[i - 1].along;
-}
-
-void Curve::find_unknown_arcs() {
-    std::array<Sample*, Arcs::kMost> found;
-    Arcs arcs;
-    std::size_t count = 0;
-    const auto measure = [&] {
-        run_with<Arcs::find>(vectors_, arcs, count);
-        for (std::size_t k = 0; k < count; ++k) found[k]->along = arcs.length[k];
-        count = 0;
-    };
-    for (Sample& sample : samples_) {
-        if (sample.along != kUnknownArc) continue;
-        const Segment& segment = segments_[sample.segment];
-        arcs.constant.set(count, segment.constant);
-        arcs.linear.set(count, segment.linear);
-        arcs.quadratic.set(count, segment.quadratic);
-        arcs.from[count] = sample.from;
-        arcs.to[count] = sample.t;
-        found[count++] = &sample;
-        if (count == Arcs::kMost) measure();
-    }
-    if (count > 0) measure();
-}
-
-void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k) {
-    for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
-        const double from = static_cast<double>(piece) / kFirstSamples, t = from + 1.0 / kFirstSamples;
-        const std::size_t half = 2 * piece, whole = half + 1;
-        const Vec3 last = samples_.back().frame.tangent, middle = first.tangents[half][k];
-        const double turn = (piece == 0 ? length(middle - last) : first.turns[half][k]) + first.turns[whole][k];
-        const Heading end{first.tangents[whole][k], first.speeds[whole][k]};
-        if (turn <= kSampleTurn) {
-            add_sample(segment, from, t, end, first.arcs[piece][k], turn);
-            continue;
-        }
-        const double speed = first.speeds[half][k];
-        sample_up_to(segment, from, t, {speed > 0 ? middle : last, speed},
-                     {end.speed > 0 ? end.tangent : last, end.speed}, 0);
-    }
-}
-
-void Curve::sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
-                         int halvings) {
-    const Vec3 start = samples_.back().frame.tangent;
-    const double turn = length(between.tangent - start) + length(end.tangent - between.tangent);
-    if (turn > kSampleTurn && halvings < kDeepestHalving) {
-        const double middle = (from + t) / 2;
-        sample_up_to(segment, from, middle, heading_at(segment, (from + middle) / 2, start), between, halvings + 1);
-        sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between.tangent), end, halvings + 1);
-        return;
-    }
-    add_sample(segment, from, t, end, kUnknownArc, turn);
-}
-
-void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn) {
-    const Sample& last = samples_.back();
-    const Segment& bezier = segments_[segment];
-    const double from_speed = from > 0 ? last.speed : length(bezier.constant);
-    samples_.push_back(
-        {segment, from, t, from_speed, end.speed, arc, last.turning + turn, {bezier.point(t), end.tangent, {}}});
-}
-
-void Curve::carry_normals() {
-    Steps steps;
-    Vec3 normal = samples_.front().frame.normal;
-    for (std::size_t start = 0; start + 1 < samples_.size(); start += Steps::kMost) {
-        Sample* const samples = &samples_[start];
-        const std::size_t count = std::min(Steps::kMost, samples_.size() - 1 - start);
-        run_with<find_steps<Sample>>(vectors_, samples, count, steps);
-        for (std::size_t k = 0; k < count; ++k) {
-            if (steps.forwards[k] != 0) {
-                normal = {dot(steps.x[k], normal), dot(steps.y[k], normal), dot(steps.z[k], normal)};
-            } else {
-                const Vec3& tangent = samples[k + 1].frame.tangent;
-                const Vec3 upright = rejected(normal, tangent);
-                const double size = length(upright);
-                normal = size > bezier::kLeastNormal ? upright / size : any_perpendicular(tangent);
-            }
-            steps.normals.set(k, normal);
-        }
-        run_with<straighten_normals<Sample>>(vectors_, samples, count, steps);
-        for (std::size_t k = 0; k < count; ++k) samples[k + 1].frame.normal = steps.normals[k];
-        normal = samples[count].frame.normal;
-    }
-}
-
-Curve::Heading Curve::heading_at(std::size_t segment, double t, const Vec3& otherwise) const {
-    const Vec3 velocity = segments_[segment].velocity().at(t);
-    const double speed = length(velocity);
-    return {speed > 0 ? velocity / speed : otherwise, speed};
 }
 
 inline std::size_t Curve::sample_before(double along, std::size_t guess) const {
