@@ -294,7 +294,7 @@ class EventLoop::Connections {
 
     /// The fewer places are left, the sooner a connection that does nothing has to go.
     std::chrono::milliseconds idle_patience() const {
-        const std::size_t open = connections_.size(), places = options_.connections;
+        const std::size_t open = premises_.connections, places = options_.connections;
         if (is_finishing_) return std::chrono::milliseconds(0);
         if (open * 10 >= places * 9) return options_.patience.idle / 15;
         if (open * 4 >= places * 3) return options_.patience.idle / 5;

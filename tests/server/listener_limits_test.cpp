@@ -67,6 +67,21 @@ TEST(ListenerLimits, OneConnectionTooManyIsToldSo) {
     EXPECT_TRUE(has(answer(served, head("GET /x")), "GET /x\n"));
 }
 
+TEST(ListenerLimits, IdleConnectionsGoSoonerWhereHardlyAnyPlaceIsLeft) {
+    using namespace std::chrono_literals;
+    ListenerOptions patient = options();
+    patient.patience.idle = 2 * kHangSeconds * 1s;
+    const Served served(answering(echo), patient);
+    std::vector<std::unique_ptr<Client>> clients;  // dealt to all threads
+    while (clients.size() < patient.connections) clients.push_back(std::make_unique<Client>(served.port()));
+    const auto open = [&] { return served.listener().stats().connections; };
+    while (open() < patient.connections) std::this_thread::yield();
+    const auto given_up = std::chrono::steady_clock::now() + kHangSeconds * 1s;
+    while (open() == patient.connections && std::chrono::steady_clock::now() < given_up)
+        std::this_thread::sleep_for(10ms);
+    EXPECT_LT(open(), patient.connections);
+}
+
 TEST(ListenerLimits, AnswersOverTheirBudgetAreRefused) {
     ListenerOptions small = options();
     small.answer_memory = kLargeAnswer;
