@@ -56,7 +56,8 @@ class EventLoop::Connections {
     void serve() {
         auto next_tick = Clock::now();
         for (bool is_last_round = false; !is_last_round || !connections_.empty();) {
-            is_last_round = is_finishing_;  // whoever was taken in before is in the mailbox
+            is_last_round = is_finishing_;      // whoever was taken in before is in the mailbox
+            if (is_last_round) read_letters();  // and is heard before idle connections go
             poller_.wait(mailbox_->may_sleep() ? kTick : kNoTime, [this](const Event& event) {
                 mailbox_->stay_awake();
                 on_event(event);
@@ -64,7 +65,7 @@ class EventLoop::Connections {
             });
             read_letters();
             if (Clock::now() < next_tick && !is_last_round) continue;
-            guarded([this] { close_what_is_due(); });
+            guarded([&] { close_what_is_due(is_last_round); });
             next_tick = Clock::now() + kTick;
         }
     }
@@ -76,7 +77,7 @@ class EventLoop::Connections {
         Connection* added = nullptr;
         guarded([&] { added = add(std::move(letter.newcomer)); });
         if (added == nullptr) --premises_.connections;
-        if (added != nullptr && letter.closes) guarded([&] { refuse(*added, 503); });
+        if (added != nullptr && letter.closes && !guarded([&] { refuse(*added, 503); })) close(*added);
     }
 
     /// @return  nothing if the system refuses
@@ -295,15 +296,14 @@ class EventLoop::Connections {
     /// The fewer places are left, the sooner a connection that does nothing has to go.
     std::chrono::milliseconds idle_patience() const {
         const std::size_t open = premises_.connections, places = options_.connections;
-        if (is_finishing_) return std::chrono::milliseconds(0);
         if (open * 10 >= places * 9) return options_.patience.idle / 15;
         if (open * 4 >= places * 3) return options_.patience.idle / 5;
         return options_.patience.idle;
     }
 
-    void close_what_is_due() {
+    void close_what_is_due(const bool is_last_round) {
         const auto now = Clock::now();
-        const std::chrono::milliseconds idle = idle_patience();
+        const std::chrono::milliseconds idle = is_last_round ? kNoTime : idle_patience();
         std::vector<Connection*> due;
         for (const auto& [id, connection] : connections_) {
             if (now >= connection->due(options_.patience, idle)) due.push_back(connection.get());
