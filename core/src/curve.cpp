@@ -9,7 +9,6 @@
 
 #include "curve_segment.hpp"
 #include "place_search.hpp"
-#include "tuftwave/elementary.hpp"
 
 namespace tuftwave {
 namespace {

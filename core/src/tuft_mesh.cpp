@@ -2,7 +2,6 @@
 // one, so that u can run from 0 to 1.
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "corners.hpp"
 #include "quick_surface.hpp"

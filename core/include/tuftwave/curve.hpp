@@ -48,7 +48,7 @@ class Curve {
     /// where they rise.
     /// @param parts       0 to 1
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
-    /// @param along, out  as many arc lengths, metres, and the frames there
+    /// @param along, out  as many arc lengths, metres, and the frames there; `along` may be `parts`
     void at_parts(std::span<const double> parts, double turn_worth, std::span<double> along,
                   std::span<CurveFrame> out) const;
 
