@@ -12,10 +12,10 @@ namespace tuftwave {
 /// so that loops can take whole vectors.
 class Corners {
   public:
-    static constexpr std::size_t kVector = 8;  // the narrowest that is worth while
+    static constexpr std::size_t kVector = 16;  // floats, in the widest one
     static constexpr std::size_t kMost = (kMostSides / kVector + 1) * kVector;
 
-    explicit Corners(int sides = 3) : count_(static_cast<std::size_t>(sides)) {
+    explicit Corners(int sides = 3) : count_(static_cast<std::size_t>(sides)), behind_(padded() % count_) {
         for (std::size_t j = 0; j < kMost; ++j) {
             const auto [sine, cosine] = elementary::sincos(2 * kPi * static_cast<double>(j % count_) / sides);
             sines_[j] = sine;
@@ -28,6 +28,8 @@ class Corners {
     std::size_t count() const { return count_; }
     /// How many there are in whole vectors, the first one once more behind the last among them.
     std::size_t padded() const { return (count_ / kVector + 1) * kVector; }
+    /// Which corner is the one behind all of those.
+    std::size_t behind() const { return behind_; }
     const double* sines() const { return sines_.data(); }
     const double* cosines() const { return cosines_.data(); }
     const float* short_sines() const { return short_sines_.data(); }
@@ -40,7 +42,7 @@ class Corners {
     }
 
   private:
-    std::size_t count_;
+    std::size_t count_, behind_;
     alignas(64) std::array<double, kMost> sines_, cosines_;
     alignas(64) std::array<float, kMost> short_sines_, short_cosines_;
 };

@@ -9,7 +9,7 @@ namespace tuftwave {
 namespace {
 
 /// Tufts planned before their rings are counted: enough for any number of threads; at 4,096 rings of 96 bytes and 64
-/// corners of 4 bytes each they take 100 MB at most.
+/// corners of 4 bytes each they take 110 MB at most.
 constexpr std::size_t kTuftsAtOnce = 64;
 
 const Error kCancelled{ErrorCode::kCancelled, "", {}, "", {}, {}};

@@ -19,132 +19,12 @@ constexpr float kLeastSum = 0.04F;
 /// Squares that are smaller may have lost digits.
 constexpr float kLeastSquare = 1e-30F;
 
-/// One number per corner, as many as Corners::padded().
-using Row = std::array<float, Corners::kMost>;
-
-struct Rows {
-    alignas(64) Row x, y, z;
-
-    /// What puts them side by side.
-    TUFTWAVE_BODY auto interleaved(std::size_t count) const {
-        return [this, count](float* to) {
-            for (std::size_t k = 0; k < count; ++k) {
-                to[3 * k] = x[k];
-                to[3 * k + 1] = y[k];
-                to[3 * k + 2] = z[k];
-            }
-        };
-    }
-};
-
 struct Point {
     float x, y, z;
 
     TUFTWAVE_BODY explicit Point(const Vec3& v)
         : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
 };
-
-/// From the middle of a ring to its corners, in units of the tuft's half width. The last one is there again before the
-/// first, so that each has both neighbours beside it.
-struct Offsets {
-    alignas(64) std::array<float, Corners::kMost + 2> x{}, y{}, z{};
-    Vec3 middle;
-    double width = 0;
-
-    TUFTWAVE_BODY void close(std::size_t sides, std::size_t padded) {
-        for (auto* row : {&x, &y, &z}) {
-            (*row)[0] = (*row)[sides];
-            (*row)[padded + 1] = (*row)[padded % sides + 1];
-        }
-    }
-};
-
-/// From ring to ring: of the middles, and the square of what the way between two corners can be at most.
-struct Way {
-    Point middle;
-    float most;
-
-    TUFTWAVE_BODY Way(const Offsets& from, const Offsets& to, double scale) : Way(scale * (to.middle - from.middle)) {
-        most += static_cast<float>(from.width * from.width + to.width * to.width);
-    }
-
-  private:
-    TUFTWAVE_BODY explicit Way(const Vec3& way) : middle(way), most(static_cast<float>(dot(way, way))) {}
-};
-
-TUFTWAVE_BODY void stand(const Ring& ring, const Corners& corners, const float* reach, double scale, Offsets& offsets,
-                         Rows& places) {
-    const Point middle(ring.frame.point), up(ring.half_thickness * ring.frame.normal),
-        across(ring.half_width * ring.frame.binormal());
-    const auto unit = static_cast<float>(scale);
-    const float *cosines = corners.short_cosines(), *sines = corners.short_sines();
-    for (std::size_t k = 0; k < corners.padded(); ++k) {
-        const float cosine = reach[k] * cosines[k], sine = reach[k] * sines[k];
-        const float x = cosine * up.x + sine * across.x, y = cosine * up.y + sine * across.y,
-                    z = cosine * up.z + sine * across.z;
-        offsets.x[k + 1] = unit * x;
-        offsets.y[k + 1] = unit * y;
-        offsets.z[k + 1] = unit * z;
-        places.x[k] = middle.x + x;
-        places.y[k] = middle.y + y;
-        places.z[k] = middle.z + z;
-    }
-    offsets.close(corners.count(), corners.padded());
-    offsets.middle = ring.frame.point;
-    offsets.width = scale * ring.half_width;
-}
-
-/// The sums of the normals before and after, not yet of unit length.
-struct Sums {
-    Rows sums;
-    alignas(64) Row squares;  // of their lengths
-};
-
-/// @return  whether floats are good enough for all of them
-TUFTWAVE_BODY bool find_sums(const Offsets& before, const Offsets& here, const Offsets& after, const Way& in,
-                             const Way& out, std::size_t padded, Sums& found) {
-    const auto area = static_cast<float>(here.width * here.width);
-    const float least_in = kLeastArea * area * in.most, least_out = kLeastArea * area * out.most;
-    std::uint32_t lost = 0;
-    for (std::size_t k = 0; k < padded; ++k) {
-        const float around_x = here.x[k + 2] - here.x[k], around_y = here.y[k + 2] - here.y[k],
-                    around_z = here.z[k + 2] - here.z[k];
-        const float in_x = in.middle.x + (here.x[k + 1] - before.x[k + 1]),
-                    in_y = in.middle.y + (here.y[k + 1] - before.y[k + 1]),
-                    in_z = in.middle.z + (here.z[k + 1] - before.z[k + 1]);
-        const float out_x = out.middle.x + (after.x[k + 1] - here.x[k + 1]),
-                    out_y = out.middle.y + (after.y[k + 1] - here.y[k + 1]),
-                    out_z = out.middle.z + (after.z[k + 1] - here.z[k + 1]);
-        const float first_x = around_y * in_z - around_z * in_y, first_y = around_z * in_x - around_x * in_z,
-                    first_z = around_x * in_y - around_y * in_x;
-        const float second_x = around_y * out_z - around_z * out_y, second_y = around_z * out_x - around_x * out_z,
-                    second_z = around_x * out_y - around_y * out_x;
-        const float first_square = first_x * first_x + first_y * first_y + first_z * first_z;
-        const float second_square = second_x * second_x + second_y * second_y + second_z * second_z;
-        // first / |first| + second / |second|, times |first| |second|^2.
-        const float product = first_square * second_square, both = std::sqrt(product);
-        const float sum_x = second_square * first_x + both * second_x,
-                    sum_y = second_square * first_y + both * second_y,
-                    sum_z = second_square * first_z + both * second_z;
-        const float square = sum_x * sum_x + sum_y * sum_y + sum_z * sum_z;
-        lost |= (first_square > least_in ? 0U : 1U) | (second_square > least_out ? 0U : 1U) |
-                (square > kLeastSum * product * second_square + kLeastSquare ? 0U : 1U);
-        found.sums.x[k] = sum_x;
-        found.sums.y[k] = sum_y;
-        found.sums.z[k] = sum_z;
-        found.squares[k] = square;
-    }
-    return lost == 0;
-}
-
-TUFTWAVE_BODY void normalize(const Sums& found, std::size_t padded, Rows& normals) {
-    for (std::size_t k = 0; k < padded; ++k) {
-        const float unit = 1 / std::sqrt(found.squares[k]);
-        normals.x[k] = unit * found.sums.x[k];
-        normals.y[k] = unit * found.sums.y[k];
-        normals.z[k] = unit * found.sums.z[k];
-    }
-}
 
 /// What makes the tuft's widest ring about 1, so that products of many sizes are floats.
 double scale_of(const MeshPlan& plan) {
@@ -153,31 +33,21 @@ double scale_of(const MeshPlan& plan) {
     return widest > 0 ? 1 / widest : 0;
 }
 
-/// What of each corner's offset is kept.
-struct WholeReach {
-    Row ones;
-
-    WholeReach() { ones.fill(1); }
-    const float* of(const MeshPlan& plan, std::size_t ring) const {
-        const std::span<const float> reach = plan.reach.of(ring);
-        return reach.empty() ? ones.data() : reach.data();
-    }
-};
-
 /// Rows of vertices, written root to tip: what one has too much is overwritten by the next one.
+/// @tparam kRoom  numbers that are written of each row
+template <std::size_t kRoom>
 class RowWriter {
   public:
-    /// @param width  numbers per vertex
-    RowWriter(std::span<float> to, std::size_t width, const Corners& corners)
-        : to_(to), row_(width * (corners.count() + 1)), room_(width * corners.padded()) {}
+    /// @param row  numbers that are kept
+    RowWriter(std::span<float> to, std::size_t row) : to_(to), row_(row) {}
 
-    /// @param fill  writes a row in whole vectors
+    /// @param fill  writes a row
     template <class Fill>
     TUFTWAVE_BODY void write(const Fill& fill) {
-        if (next_ + room_ <= to_.size()) {
+        if (next_ + kRoom <= to_.size()) {
             fill(&to_[next_]);
         } else {
-            std::array<float, 3 * Corners::kMost> last;
+            std::array<float, kRoom> last;
             fill(last.data());
             std::copy_n(last.begin(), row_, &to_[next_]);
         }
@@ -186,70 +56,232 @@ class RowWriter {
 
   private:
     std::span<float> to_;
-    std::size_t row_, room_, next_ = 0;
+    std::size_t row_, next_ = 0;
 };
 
-TUFTWAVE_BODY void write_uvs(const MeshPlan& plan, const Corners& corners, std::span<float> uvs) {
-    alignas(64) Row across;
-    for (std::size_t k = 0; k < corners.padded(); ++k)
-        across[k] = static_cast<float>(static_cast<double>(k) / static_cast<double>(corners.count()));
-    RowWriter to(uvs, 2, corners);
-    for (const Ring& ring : plan.rings) {
-        const auto along = static_cast<float>(ring.along);
-        to.write([&](float* row) {
-            for (std::size_t k = 0; k < corners.padded(); ++k) {
-                row[2 * k] = across[k];
-                row[2 * k + 1] = along;
-            }
-        });
+/// A tuft's surface, ring by ring.
+/// @tparam kRow  Corners::padded(), since loops of a known length need no remainders, and rows stay in registers
+template <std::size_t kRow>
+class Surface {
+  public:
+    TUFTWAVE_BODY static void write(const MeshPlan& plan, double scale, const SurfaceSpans& out,
+                                    std::vector<std::size_t>& left) {
+        Surface(plan, scale, out).write_rings(out, left);
     }
-}
 
-TUFTWAVE_BODY void write_all(const MeshPlan& plan, const Corners& corners, double scale, const SurfaceSpans& out,
-                             std::vector<std::size_t>& left) {
-    const std::size_t count = plan.rings.size(), padded = corners.padded();
-    const WholeReach reach;
-    Offsets rings[3];
-    Rows rows;
-    RowWriter positions(out.positions, 3, corners), normals(out.normals, 3, corners);
-    Sums sums[2];  // one ring's wait for the next one's: two roots one after the other take long
-    const auto write_normals = [&](std::size_t ring) {
-        normalize(sums[ring % 2], padded, rows);
-        normals.write(rows.interleaved(padded));
-    };
-    Offsets *before = &rings[0], *here = &rings[1], *after = &rings[2];
-    before->middle = plan.root;
-    stand(plan.rings[0], corners, reach.of(plan, 0), scale, *here, rows);
-    positions.write(rows.interleaved(padded));
-    Way in(*before, *here, scale);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i + 1 < count) {
-            stand(plan.rings[i + 1], corners, reach.of(plan, i + 1), scale, *after, rows);
-            positions.write(rows.interleaved(padded));
-        } else if (plan.flat_tip) {
-            *after = *here;
-        } else {
-            *after = {};
-            after->middle = plan.tip;
+  private:
+    using Row = std::array<float, kRow>;
+
+    struct Rows {
+        alignas(64) Row x, y, z;
+
+        /// What puts them side by side.
+        TUFTWAVE_BODY auto interleaved() const {
+            return [this](float* to) {
+                for (std::size_t k = 0; k < kRow; ++k) {
+                    to[3 * k] = x[k];
+                    to[3 * k + 1] = y[k];
+                    to[3 * k + 2] = z[k];
+                }
+            };
         }
-        const Way on(*here, *after, scale);
-        if (!find_sums(*before, *here, *after, in, on, padded, sums[i % 2])) left.push_back(i);
-        if (i > 0) write_normals(i - 1);
-        Offsets* const passed = before;
-        before = here;
-        here = after;
-        after = passed;
-        in = on;
+    };
+
+    /// From the middle of a ring to its corners, in units of the tuft's half width. The last one is there again before
+    /// the first, so that each has both neighbours beside it.
+    struct Offsets {
+        static constexpr std::size_t kFirst = Corners::kVector;  // so that the corners are aligned
+        using LongRow = std::array<float, kFirst + kRow + 1>;
+        alignas(64) LongRow x{}, y{}, z{};
+        Vec3 middle;
+        double width = 0;
+
+        TUFTWAVE_BODY void close(const Corners& corners) {
+            for (LongRow* const row : {&x, &y, &z}) {
+                (*row)[kFirst - 1] = (*row)[kFirst + corners.count() - 1];
+                (*row)[kFirst + kRow] = (*row)[kFirst + corners.behind()];
+            }
+        }
+    };
+
+    /// From the corners of a ring to those of the next.
+    struct Ways {
+        Rows ways;
+        float most;  // the square of their length
+
+        TUFTWAVE_BODY void find(const Offsets& from, const Offsets& to, double scale) {
+            const Vec3 way = scale * (to.middle - from.middle);
+            const Point middle(way);
+            most =
+                static_cast<float>(dot(way, way)) + static_cast<float>(from.width * from.width + to.width * to.width);
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const std::size_t at = Offsets::kFirst + k;
+                ways.x[k] = middle.x + (to.x[at] - from.x[at]);
+                ways.y[k] = middle.y + (to.y[at] - from.y[at]);
+                ways.z[k] = middle.z + (to.z[at] - from.z[at]);
+            }
+        }
+    };
+
+    /// The sums of the normals before and after, not yet of unit length.
+    struct Sums {
+        Rows sums;
+        alignas(64) Row squares;                                // of their lengths
+        alignas(64) std::array<std::uint32_t, kRow> were_lost;  // 1 where floats are not good enough
+
+        TUFTWAVE_BODY void find(const Offsets& here, const Ways& in, const Ways& out) {
+            const auto area = static_cast<float>(here.width * here.width);
+            const float least_in = kLeastArea * area * in.most, least_out = kLeastArea * area * out.most;
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const std::size_t at = Offsets::kFirst + k;
+                const float around_x = here.x[at + 1] - here.x[at - 1], around_y = here.y[at + 1] - here.y[at - 1],
+                            around_z = here.z[at + 1] - here.z[at - 1];
+                const float in_x = in.ways.x[k], in_y = in.ways.y[k], in_z = in.ways.z[k];
+                const float out_x = out.ways.x[k], out_y = out.ways.y[k], out_z = out.ways.z[k];
+                const float first_x = around_y * in_z - around_z * in_y, first_y = around_z * in_x - around_x * in_z,
+                            first_z = around_x * in_y - around_y * in_x;
+                const float second_x = around_y * out_z - around_z * out_y,
+                            second_y = around_z * out_x - around_x * out_z,
+                            second_z = around_x * out_y - around_y * out_x;
+                const float first_square = first_x * first_x + first_y * first_y + first_z * first_z;
+                const float second_square = second_x * second_x + second_y * second_y + second_z * second_z;
+                // first / |first| + second / |second|, times |first| |second|^2.
+                const float product = first_square * second_square, both = std::sqrt(product);
+                const float sum_x = second_square * first_x + both * second_x,
+                            sum_y = second_square * first_y + both * second_y,
+                            sum_z = second_square * first_z + both * second_z;
+                const float square = sum_x * sum_x + sum_y * sum_y + sum_z * sum_z;
+                were_lost[k] = (first_square > least_in ? 0U : 1U) | (second_square > least_out ? 0U : 1U) |
+                               (square > kLeastSum * product * second_square + kLeastSquare ? 0U : 1U);
+                sums.x[k] = sum_x;
+                sums.y[k] = sum_y;
+                sums.z[k] = sum_z;
+                squares[k] = square;
+            }
+        }
+
+        TUFTWAVE_BODY bool lost_any() const {
+            std::uint32_t any = 0;
+            for (std::size_t k = 0; k < kRow; ++k) any |= were_lost[k];
+            return any != 0;
+        }
+
+        TUFTWAVE_BODY void normalize(Rows& normals) const {
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const float unit = 1 / std::sqrt(squares[k]);
+                normals.x[k] = unit * sums.x[k];
+                normals.y[k] = unit * sums.y[k];
+                normals.z[k] = unit * sums.z[k];
+            }
+        }
+    };
+
+    TUFTWAVE_BODY Surface(const MeshPlan& plan, double scale, const SurfaceSpans& out)
+        : plan_(plan),
+          corners_(corners_of(plan.sides)),
+          scale_(scale),
+          positions_(out.positions, 3 * (corners_.count() + 1)),
+          normals_(out.normals, 3 * (corners_.count() + 1)) {
+        whole_.fill(1);
     }
-    write_normals(count - 1);
-    write_uvs(plan, corners, out.uvs);
+
+    TUFTWAVE_BODY void write_rings(const SurfaceSpans& out, std::vector<std::size_t>& left) {
+        const std::size_t count = plan_.rings.size();
+        Offsets rings[2];
+        Ways ways[2];
+        Sums sums[2];  // one ring's wait for the next one's: two roots one after the other take long
+        rings[1].middle = plan_.root;
+        write_positions(0, rings[0]);
+        ways[0].find(rings[1], rings[0], scale_);
+        for (std::size_t i = 0; i < count; ++i) {
+            Offsets &here = rings[i % 2], &after = rings[(i + 1) % 2];
+            if (i + 1 < count) {
+                write_positions(i + 1, after);
+            } else if (plan_.flat_tip) {
+                after = here;
+            } else {
+                after = {};
+                after.middle = plan_.tip;
+            }
+            ways[(i + 1) % 2].find(here, after, scale_);
+            sums[i % 2].find(here, ways[i % 2], ways[(i + 1) % 2]);
+            if (i > 0) write_normals(i - 1, sums[(i + 1) % 2], left);
+        }
+        write_normals(count - 1, sums[(count - 1) % 2], left);
+        write_uvs(out.uvs);
+    }
+
+    TUFTWAVE_BODY void write_positions(std::size_t at, Offsets& offsets) {
+        const Ring& ring = plan_.rings[at];
+        const Point middle(ring.frame.point), up(ring.half_thickness * ring.frame.normal),
+            across(ring.half_width * ring.frame.binormal());
+        const auto unit = static_cast<float>(scale_);
+        const std::span<const float> shares = plan_.reach.of(at);
+        const float* const reach = shares.empty() ? whole_.data() : shares.data();
+        const float *cosines = corners_.short_cosines(), *sines = corners_.short_sines();
+        Rows places;
+        for (std::size_t k = 0; k < kRow; ++k) {
+            const float cosine = reach[k] * cosines[k], sine = reach[k] * sines[k];
+            const float x = cosine * up.x + sine * across.x, y = cosine * up.y + sine * across.y,
+                        z = cosine * up.z + sine * across.z;
+            offsets.x[Offsets::kFirst + k] = unit * x;
+            offsets.y[Offsets::kFirst + k] = unit * y;
+            offsets.z[Offsets::kFirst + k] = unit * z;
+            places.x[k] = middle.x + x;
+            places.y[k] = middle.y + y;
+            places.z[k] = middle.z + z;
+        }
+        offsets.close(corners_);
+        offsets.middle = ring.frame.point;
+        offsets.width = scale_ * ring.half_width;
+        positions_.write(places.interleaved());
+    }
+
+    TUFTWAVE_BODY void write_normals(std::size_t ring, const Sums& sums, std::vector<std::size_t>& left) {
+        if (sums.lost_any()) left.push_back(ring);
+        Rows normals;
+        sums.normalize(normals);
+        normals_.write(normals.interleaved());
+    }
+
+    TUFTWAVE_BODY void write_uvs(std::span<float> uvs) const {
+        alignas(64) Row across;
+        for (std::size_t k = 0; k < kRow; ++k)
+            across[k] = static_cast<float>(static_cast<double>(k) / static_cast<double>(corners_.count()));
+        RowWriter<2 * kRow> to(uvs, 2 * (corners_.count() + 1));
+        for (const Ring& ring : plan_.rings) {
+            const auto along = static_cast<float>(ring.along);
+            to.write([&](float* row) {
+                for (std::size_t k = 0; k < kRow; ++k) {
+                    row[2 * k] = across[k];
+                    row[2 * k + 1] = along;
+                }
+            });
+        }
+    }
+
+    const MeshPlan& plan_;
+    const Corners& corners_;
+    const double scale_;
+    alignas(64) Row whole_;  // the reach of rings that keep all of it
+    RowWriter<3 * kRow> positions_, normals_;
+};
+
+/// In the shortest rows that all corners fit in.
+template <std::size_t kRow = Corners::kVector>
+void write_surface(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out, std::vector<std::size_t>& left) {
+    if constexpr (kRow < Corners::kMost) {
+        if (corners_of(plan.sides).padded() > kRow)
+            return write_surface<kRow + Corners::kVector>(plan, vectors, out, left);
+    }
+    run_with<Surface<kRow>::write>(vectors, plan, scale_of(plan), out, left);
 }
 
 }  // namespace
 
 std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out) {
     std::vector<std::size_t> left;
-    run_with<write_all>(vectors, plan, corners_of(plan.sides), scale_of(plan), out, left);
+    write_surface(plan, vectors, out, left);
     return left;
 }
 
