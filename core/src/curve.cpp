@@ -30,6 +30,7 @@ std::vector<Vec3> merged(std::span<const Vec3> points) {
     double whole = 0;
     for (std::size_t i = 1; i < points.size(); ++i) whole += length(points[i] - points[i - 1]);
     std::vector<Vec3> kept;
+    kept.reserve(points.size());
     for (const Vec3& point : points) {
         if (kept.empty() || length(point - kept.back()) > kMergeShare * whole) kept.push_back(point);
     }
@@ -172,8 +173,8 @@ void Curve::find(std::span<const double> along, std::span<const std::size_t> pie
         const Vec3 tangent = search.tangent[k];
         out[k] = {search.point[k], tangent, search.normal_size[k] > 0 ? search.normal[k] : any_perpendicular(tangent)};
         if (!(search.whole[k] > 0)) out[k] = samples_[pieces[k]].frame;
-        if (along[k] <= 0) out[k] = samples_.front().frame;
-        if (along[k] >= arc_length()) out[k] = samples_.back().frame;
+        if (along[k] <= 0) out[k] = first();
+        if (along[k] >= arc_length()) out[k] = last();
     }
 }
 

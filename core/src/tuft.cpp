@@ -68,7 +68,9 @@ Result<PlannedTuft> plan_tuft(const Tuft& tuft, const Head& head, const MeshDeta
 
 Result<PlannedTuft> plan_sound_tuft(const Tuft& tuft, const Head& head, const MeshDetail& detail, const Limits& limits,
                                     Vectors vectors) {
-    std::vector<Vec3> points{sunk_root(head, tuft.points.front())};
+    std::vector<Vec3> points;
+    points.reserve(tuft.points.size() + 1);
+    points.push_back(sunk_root(head, tuft.points.front()));
     points.insert(points.end(), tuft.points.begin(), tuft.points.end());
     Curve curve(points, vectors);
     curve.face_away_from(head.center);
@@ -77,7 +79,7 @@ Result<PlannedTuft> plan_sound_tuft(const Tuft& tuft, const Head& head, const Me
         choose_rings(curve, tuft, head.diameter_at_100 * tuft.diameter / 100, detail, limits, vectors);
     if (!rings) return rings.error();
 
-    const CurveFrame root = curve.at(0), tip = curve.at(curve.arc_length());
+    const CurveFrame &root = curve.first(), &tip = curve.last();
     PlannedTuft planned;
     MeshPlan& mesh = planned.mesh;
     mesh.root = root.point;

@@ -35,6 +35,10 @@ class Curve {
     /// Arc length from the first point to the last, metres.
     double arc_length() const { return samples_.back().along; }
 
+    /// The frames of the first point and of the last.
+    const CurveFrame& first() const { return samples_.front().frame; }
+    const CurveFrame& last() const { return samples_.back().frame; }
+
     /// The frame at arc length `along`, clamped to the curve.
     CurveFrame at(double along) const;
 
