@@ -104,20 +104,23 @@ CurveFrame Curve::at(double along) const {
 
 void Curve::at(std::span<const double> along, std::span<CurveFrame> out) const {
     std::array<std::size_t, PlaceSearch::kMost> pieces;
+    PlaceSearch places;
     std::size_t before = 0;
     for (std::size_t from = 0; from < along.size(); from += pieces.size()) {
         const auto here = along.subspan(from, std::min(pieces.size(), along.size() - from));
         for (std::size_t k = 0; k < here.size(); ++k)
             pieces[k] = before = sample_before(std::clamp(here[k], 0.0, arc_length()), before);
-        find(here, pieces, out.subspan(from, here.size()));
+        find(here, pieces, places);
+        for (std::size_t k = 0; k < here.size(); ++k) out[from + k] = places.frame(k);
     }
 }
 
 void Curve::at_parts(std::span<const double> parts, double turn_worth, std::span<double> along,
-                     std::span<CurveFrame> out) const {
+                     const FrameRows& out) const {
     const auto measure = [&](const Sample& sample) { return sample.along + turn_worth * sample.turning; };
     const double whole = measure(samples_.back());
     std::array<std::size_t, PlaceSearch::kMost> pieces;
+    PlaceSearch places;
     std::size_t before = 0;  // the sample that a piece starts at
     double start = 0, end = measure(samples_[1]);
     for (std::size_t from = 0; from < parts.size(); from += pieces.size()) {
@@ -138,13 +141,13 @@ void Curve::at_parts(std::span<const double> parts, double turn_worth, std::span
             along[from + k] = wanted < end ? a + (wanted - start) / (end - start) * (b - a) : b;
             pieces[k] = before;
         }
-        find(along.subspan(from, count), pieces, out.subspan(from, count));
+        find(along.subspan(from, count), pieces, places);
+        places.copy_frames(count, {out.first + from, out.stride});
     }
 }
 
-void Curve::find(std::span<const double> along, std::span<const std::size_t> pieces, std::span<CurveFrame> out) const {
+void Curve::find(std::span<const double> along, std::span<const std::size_t> pieces, PlaceSearch& search) const {
     const std::size_t count = along.size();
-    PlaceSearch search;
     for (std::size_t k = 0; k < count; ++k) {
         const Sample &a = samples_[pieces[k]], &b = samples_[pieces[k] + 1];
         const Segment& bezier = segments_[b.segment];
@@ -158,9 +161,7 @@ void Curve::find(std::span<const double> along, std::span<const std::size_t> pie
         search.speed1[k] = b.speed;
         search.wanted[k] = along[k] - a.along;
         search.whole[k] = b.along - a.along;
-        search.point.set(k, a.frame.point);
-        search.tangent.set(k, a.frame.tangent);
-        search.normal.set(k, a.frame.normal);
+        search.set_frame(k, a.frame);
     }
     search.find_parameters(count, vectors_);
     for (std::size_t k = 0; k < count; ++k) {
@@ -170,11 +171,10 @@ void Curve::find(std::span<const double> along, std::span<const std::size_t> pie
     }
     search.find_frames(count, vectors_);
     for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 tangent = search.tangent[k];
-        out[k] = {search.point[k], tangent, search.normal_size[k] > 0 ? search.normal[k] : any_perpendicular(tangent)};
-        if (!(search.whole[k] > 0)) out[k] = samples_[pieces[k]].frame;
-        if (along[k] <= 0) out[k] = first();
-        if (along[k] >= arc_length()) out[k] = last();
+        if (!(search.normal_size[k] > 0)) search.normal.set(k, any_perpendicular(search.tangent[k]));
+        if (!(search.whole[k] > 0)) search.set_frame(k, samples_[pieces[k]].frame);
+        if (along[k] <= 0) search.set_frame(k, first());
+        if (along[k] >= arc_length()) search.set_frame(k, last());
     }
 }
 

@@ -83,4 +83,14 @@ void PlaceSearch::find_parameters(std::size_t count, Vectors vectors) {
 
 void PlaceSearch::find_frames(std::size_t count, Vectors vectors) { run_with<frames>(vectors, *this, count); }
 
+void PlaceSearch::copy_frames(std::size_t count, const FrameRows& to) const {
+    double* row = to.first;
+    for (const Rows* const vectors : {&point, &tangent, &normal}) {
+        for (const Row* const axis : {&vectors->x, &vectors->y, &vectors->z}) {
+            std::copy_n(axis->begin(), count, row);
+            row += to.stride;
+        }
+    }
+}
+
 }  // namespace tuftwave

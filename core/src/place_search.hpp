@@ -37,10 +37,17 @@ struct PlaceSearch {
     alignas(64) Row t0, t1;            ///< where the piece starts and ends
     alignas(64) Row speed0, speed1;    ///< there
     alignas(64) Row wanted, whole;     ///< metres from its start to the place, and to its end
-    Rows point, tangent, normal;       ///< the frame at its start; found_frames() replaces it by the place's
+    Rows point, tangent, normal;       ///< the frame at its start; find_frames() replaces it by the place's
     alignas(64) Row t;                 ///< found: the parameter
     alignas(64) Row missed;            ///< found: 0 where t is as exact as doubles are, 1 where it may not be
     alignas(64) Row normal_size;       ///< found: 0 where the frame has no normal
+
+    CurveFrame frame(std::size_t k) const { return {point[k], tangent[k], normal[k]}; }
+    void set_frame(std::size_t k, const CurveFrame& frame) {
+        point.set(k, frame.point);
+        tangent.set(k, frame.tangent);
+        normal.set(k, frame.normal);
+    }
 
     /// Finds `t` of the first `count` places from guesses by cubic interpolation, in one or two steps of the third
     /// order.
@@ -48,6 +55,8 @@ struct PlaceSearch {
 
     /// Replaces each frame by that of its place, at `t`.
     void find_frames(std::size_t count, Vectors vectors);
+
+    void copy_frames(std::size_t count, const FrameRows& to) const;
 };
 
 }  // namespace tuftwave

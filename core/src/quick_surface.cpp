@@ -29,7 +29,7 @@ struct Point {
 /// What makes the tuft's widest ring about 1, so that products of many sizes are floats.
 double scale_of(const MeshPlan& plan) {
     double widest = 0;
-    for (const Ring& ring : plan.rings) widest = std::max(widest, ring.half_width);
+    for (std::size_t i = 0; i < plan.rings.size(); ++i) widest = std::max(widest, plan.rings[i].half_width);
     return widest > 0 ? 1 / widest : 0;
 }
 
@@ -212,7 +212,7 @@ class Surface {
     }
 
     TUFTWAVE_BODY void write_positions(std::size_t at, Offsets& offsets) {
-        const Ring& ring = plan_.rings[at];
+        const Ring ring = plan_.rings[at];
         const Point middle(ring.frame.point), up(ring.half_thickness * ring.frame.normal),
             across(ring.half_width * ring.frame.binormal());
         const auto unit = static_cast<float>(scale_);
@@ -249,8 +249,8 @@ class Surface {
         for (std::size_t k = 0; k < kRow; ++k)
             across[k] = static_cast<float>(static_cast<double>(k) / static_cast<double>(corners_.count()));
         RowWriter<2 * kRow> to(uvs, 2 * (corners_.count() + 1));
-        for (const Ring& ring : plan_.rings) {
-            const auto along = static_cast<float>(ring.along);
+        for (std::size_t i = 0; i < plan_.rings.size(); ++i) {
+            const auto along = static_cast<float>(plan_.rings[i].along);
             to.write([&](float* row) {
                 for (std::size_t k = 0; k < kRow; ++k) {
                     row[2 * k] = across[k];

@@ -25,10 +25,11 @@ constexpr double kLookedAt = 0.92;
 constexpr double kTurnWorth = 0.08;
 
 /// Turns normals about their tangents, as the tuft rolls and twists.
-TUFTWAVE_BODY void turn(std::vector<Ring>& rings, const Tuft& tuft) {
-    for (Ring& ring : rings) {
+TUFTWAVE_BODY void turn(Rings& rings, const Tuft& tuft) {
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const Ring ring = rings[i];
         const auto turn = elementary::bodies::sincos((tuft.roll_deg + tuft.twist_deg * ring.along) * kRadiansPerDegree);
-        ring.frame.normal = turn.cos * ring.frame.normal + turn.sin * ring.frame.binormal();
+        rings.frames().set_normal(i, turn.cos * ring.frame.normal + turn.sin * ring.frame.binormal());
     }
 }
 
@@ -47,74 +48,79 @@ class RingChooser {
     bool by_tolerance(std::size_t most) {
         std::vector<Piece> pieces = first_pieces(), halves;
         for (int halvings = 0; halvings < kDeepestHalving && !pieces.empty(); ++halvings) {
-            const std::vector<Ring> quarters = quarters_of(pieces);
+            const Rings quarters = quarters_of(pieces);
             halves.clear();
             for (std::size_t i = 0; i < pieces.size(); ++i) {
                 const auto& [from, middle, to] = pieces[i];
-                const Ring &first = quarters[2 * i], &last = quarters[2 * i + 1];
+                const Ring first = quarters[2 * i], last = quarters[2 * i + 1];
                 if (is_fine(pieces[i], first, last)) continue;
-                rings_.push_back(middle);
+                kept_.push_back(middle);
                 halves.push_back({from, first, middle});
                 halves.push_back({middle, last, to});
             }
-            if (rings_.size() > most) return false;
+            if (kept_.size() > most) return false;
             std::swap(pieces, halves);
         }
-        std::ranges::sort(rings_, {}, &Ring::along);
+        std::ranges::sort(kept_, {}, &Ring::along);
+        rings_ = Rings(kept_.size());
+        for (std::size_t i = 0; i < kept_.size(); ++i) rings_.set(i, kept_[i]);
         return true;
     }
 
     void by_count(int count) {
         const bool flat_tip = tuft_.widest_at >= 100;
         const double whole = curve_.arc_length();
-        std::vector<double> along(static_cast<std::size_t>(count));
+        rings_ = Rings(static_cast<std::size_t>(count));
+        const std::span<double> along = rings_.along();
         for (std::size_t i = 0; i < along.size(); ++i)
             along[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
-        std::vector<CurveFrame> frames(along.size());
-        curve_.at_parts(along, kTurnWorth * whole, along, frames);
+        curve_.at_parts(along, kTurnWorth * whole, along, rings_.frames());
         for (double& place : along) place /= whole;
-        rings_ = rings_of(along, frames);
+        shape(rings_);
     }
 
-    std::vector<Ring> take() { return std::move(rings_); }
+    Rings take() { return std::move(rings_); }
 
   private:
-    std::vector<Ring> rings_at(std::span<const double> along) const {
+    Rings rings_at(std::span<const double> along) const {
         std::vector<double> places(along.begin(), along.end());
         for (double& place : places) place *= curve_.arc_length();
         std::vector<CurveFrame> frames(along.size());
         curve_.at(places, frames);
-        return rings_of(along, frames);
-    }
-
-    std::vector<Ring> rings_of(std::span<const double> along, std::span<const CurveFrame> frames) const {
-        std::vector<double> widths(along.size());
-        profile_widths(tuft_.taper, along, tuft_.widest_at / 100, widths, vectors_);
-        std::vector<Ring> rings(along.size());
-        for (std::size_t i = 0; i < along.size(); ++i) rings[i] = ring(frames[i], along[i], half_diameter_ * widths[i]);
-        if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
+        Rings rings(along.size());
+        std::ranges::copy(along, rings.along().begin());
+        for (std::size_t i = 0; i < frames.size(); ++i) rings.frames().set(i, frames[i]);
+        shape(rings);
         return rings;
     }
 
-    Ring ring(const CurveFrame& frame, double along, double width) const {
-        return {frame, along, width, tuft_.section == Section::kEllipse ? width * (1 - tuft_.flatness) : width};
+    /// Makes rings of frames along the tuft.
+    void shape(Rings& rings) const {
+        const std::span<double> widths = rings.half_widths(), thicknesses = rings.half_thicknesses();
+        profile_widths(tuft_.taper, rings.along(), tuft_.widest_at / 100, widths, vectors_);
+        const double thickness = tuft_.section == Section::kEllipse ? 1 - tuft_.flatness : 1;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            widths[i] *= half_diameter_;
+            thicknesses[i] = widths[i] * thickness;
+        }
+        if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
     }
 
     /// From the root to the widest place, and on to the tip. Keeps the ring where they meet.
     std::vector<Piece> first_pieces() {
         const double widest = tuft_.widest_at / 100;
         if (widest >= 1) {
-            const std::vector<Ring> rings = rings_at(std::array{0.0, 0.5, 1.0});
-            rings_.push_back(rings[2]);
+            const Rings rings = rings_at(std::array{0.0, 0.5, 1.0});
+            kept_.push_back(rings[2]);
             return {{rings[0], rings[1], rings[2]}};
         }
-        const std::vector<Ring> rings = rings_at(std::array{0.0, widest / 2, widest, (widest + 1) / 2, 1.0});
-        rings_.push_back(rings[2]);
+        const Rings rings = rings_at(std::array{0.0, widest / 2, widest, (widest + 1) / 2, 1.0});
+        kept_.push_back(rings[2]);
         return {{rings[0], rings[1], rings[2]}, {rings[2], rings[3], rings[4]}};
     }
 
     /// The rings a quarter and three quarters of the way along each piece.
-    std::vector<Ring> quarters_of(const std::vector<Piece>& pieces) const {
+    Rings quarters_of(const std::vector<Piece>& pieces) const {
         std::vector<double> along;
         along.reserve(2 * pieces.size());
         for (const Piece& piece : pieces) {
@@ -154,13 +160,14 @@ class RingChooser {
     const double half_diameter_;
     const MeshDetail& detail_;
     const Vectors vectors_;
-    std::vector<Ring> rings_;
+    std::vector<Ring> kept_;  // of those looked at, in no order
+    Rings rings_;
 };
 
 }  // namespace
 
-Result<std::vector<Ring>> choose_rings(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail,
-                                       const Limits& limits, Vectors vectors) {
+Result<Rings> choose_rings(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail,
+                           const Limits& limits, Vectors vectors) {
     RingChooser chooser(curve, tuft, diameter, detail, vectors);
     if (detail.rings) {
         chooser.by_count(*detail.rings);

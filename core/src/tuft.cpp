@@ -75,7 +75,7 @@ Result<PlannedTuft> plan_sound_tuft(const Tuft& tuft, const Head& head, const Me
     Curve curve(points, vectors);
     curve.face_away_from(head.center);
 
-    Result<std::vector<Ring>> rings =
+    Result<Rings> rings =
         choose_rings(curve, tuft, head.diameter_at_100 * tuft.diameter / 100, detail, limits, vectors);
     if (!rings) return rings.error();
 

@@ -44,7 +44,7 @@ struct Pair {
 
 /// Whether a corner may fall back between two rings; quicker than looking at each. With the angle between the tangents
 /// the centre loses at least as much of its advance as the corners lose of theirs.
-bool may_fold(const Ring& a, const Ring& b) {
+TUFTWAVE_BODY bool may_fold(const Ring& a, const Ring& b) {
     const Vec3 tangents = a.frame.tangent + b.frame.tangent;
     const double advance = (1 - kLeastAdvance) * dot(b.frame.point - a.frame.point, tangents);
     const double width = widest(a) + widest(b), turn_square = 2 * (1 - dot(a.frame.tangent, b.frame.tangent));
@@ -57,29 +57,31 @@ struct Fold {
     Pair pair;
 };
 
-double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
+TUFTWAVE_BODY double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
 
 /// The rings around all folds, as far as a cut can fade, with a row of corners for each.
 struct Window {
-    std::span<const Ring> rings;
-    std::span<const Fold> folds;  // counted from the window's first ring
+    const Rings& rings;
+    std::size_t first, count;     // of the rings
+    std::span<const Fold> folds;  // counted from the first ring
     const Corners& corners;
     std::span<double> distances;    // to the next ring's centre, metres
     std::span<double> sizes, cuts;  // of each corner from the centre; taken off that
 
-    Window(std::span<const Ring> some, std::span<const Fold> their_folds, const Corners& their_corners)
-        : rings(some),
+    Window(const Rings& all, std::size_t from, std::size_t to, std::span<const Fold> their_folds, int sides)
+        : rings(all),
+          first(from),
+          count(to - from),
           folds(their_folds),
-          corners(their_corners),
-          rows_(std::make_unique_for_overwrite<double[]>(rings.size() * (2 * row() + 1))) {
-        sizes = {rows_.get(), rings.size() * row()};
+          corners(corners_of(sides)),
+          rows_(std::make_unique_for_overwrite<double[]>(count * (2 * row() + 1))) {
+        sizes = {rows_.get(), count * row()};
         cuts = {sizes.data() + sizes.size(), sizes.size()};
-        distances = {cuts.data() + cuts.size(), rings.size()};
-        std::ranges::fill(cuts, 0.0);
-        for (std::size_t i = 0; i + 1 < rings.size(); ++i) distances[i] = distance(rings[i], rings[i + 1]);
+        distances = {cuts.data() + cuts.size(), count};
     }
 
     std::size_t row() const { return corners.padded(); }
+    TUFTWAVE_BODY Ring ring(std::size_t i) const { return rings[first + i]; }
 
   private:
     std::unique_ptr<double[]> rows_;
@@ -88,10 +90,15 @@ struct Window {
 TUFTWAVE_BODY double larger(double a, double b) { return a > b ? a : b; }
 TUFTWAVE_BODY double smaller(double a, double b) { return a < b ? a : b; }
 
+TUFTWAVE_BODY void measure_distances(Window& window) {
+    for (std::size_t i = 0; i + 1 < window.count; ++i)
+        window.distances[i] = distance(window.ring(i), window.ring(i + 1));
+}
+
 TUFTWAVE_BODY void measure_corners(Window& window) {
     const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
-    for (std::size_t i = 0; i < window.rings.size(); ++i) {
-        const double thickness = window.rings[i].half_thickness, width = window.rings[i].half_width;
+    for (std::size_t i = 0; i < window.count; ++i) {
+        const double thickness = window.ring(i).half_thickness, width = window.ring(i).half_width;
         double* const sizes = &window.sizes[i * window.row()];
         if (thickness == width) {
             std::fill_n(sizes, window.row(), width);
@@ -107,12 +114,13 @@ TUFTWAVE_BODY void measure_corners(Window& window) {
 /// Cuts every corner back just so far that it runs forwards from ring to ring.
 TUFTWAVE_BODY void cut_folds(Window& window) {
     const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
+    std::ranges::fill(window.cuts, 0.0);
     for (const auto& [ring, pair] : window.folds) {
-        const CurveFrame &a = window.rings[ring - 1].frame, &b = window.rings[ring].frame;
-        const double a_up = window.rings[ring - 1].half_thickness * dot(a.normal, pair.forwards);
-        const double a_across = window.rings[ring - 1].half_width * dot(a.binormal(), pair.forwards);
-        const double b_up = window.rings[ring].half_thickness * dot(b.normal, pair.forwards);
-        const double b_across = window.rings[ring].half_width * dot(b.binormal(), pair.forwards);
+        const Ring a = window.ring(ring - 1), b = window.ring(ring);
+        const double a_up = a.half_thickness * dot(a.frame.normal, pair.forwards);
+        const double a_across = a.half_width * dot(a.frame.binormal(), pair.forwards);
+        const double b_up = b.half_thickness * dot(b.frame.normal, pair.forwards);
+        const double b_across = b.half_width * dot(b.frame.binormal(), pair.forwards);
         const double allowed = pair.advance > 0 ? (1 - kLeastAdvance) * pair.advance : 0;
         const double whole = pair.advance > 0 ? 0 : 1;  // where the centre does not advance, no corner may stand off
         const double *a_sizes = &window.sizes[(ring - 1) * window.row()], *b_sizes = a_sizes + window.row();
@@ -132,9 +140,9 @@ enum class Towards { kRoot, kTip };
 
 /// Raises `deepest` to the deepest cut of each corner from ring `i` on, as far as the corner stands from the centre.
 TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards side, double* deepest) {
-    const std::size_t there = side == Towards::kTip ? window.rings.size() - 1 - i : i, row = window.row();
+    const std::size_t there = side == Towards::kTip ? window.count - 1 - i : i, row = window.row();
     const double *cuts = &window.cuts[i * row], *spans = &window.sizes[i * row];
-    const double furthest = widest(window.rings[i]);
+    const double furthest = widest(window.ring(i));
     for (std::size_t k = 0; k < row; ++k) deepest[k] = cuts[k];
     double walked = 0;
     for (std::size_t step = 0; step < std::min(there, kBridgedRings); ++step) {
@@ -179,15 +187,15 @@ TUFTWAVE_BODY void bridge(Window& window) {
 }
 
 TUFTWAVE_BODY void fade(Window& window) {
-    const std::size_t row = window.row(), count = window.rings.size();
+    const std::size_t row = window.row();
     const auto carry = [&](std::size_t from, std::size_t to) {
         const double lost = kFadeSlope * window.distances[std::min(from, to)];
         const double* const cuts = &window.cuts[from * row];
         double* const faded = &window.cuts[to * row];
         for (std::size_t k = 0; k < row; ++k) faded[k] = larger(faded[k], cuts[k] - lost);
     };
-    for (std::size_t i = 1; i < count; ++i) carry(i - 1, i);
-    for (std::size_t i = count - 1; i > 0; --i) carry(i, i - 1);
+    for (std::size_t i = 1; i < window.count; ++i) carry(i - 1, i);
+    for (std::size_t i = window.count - 1; i > 0; --i) carry(i, i - 1);
 }
 
 TUFTWAVE_BODY void find_shares(const Window& window, std::vector<float>& shares) {
@@ -198,6 +206,7 @@ TUFTWAVE_BODY void find_shares(const Window& window, std::vector<float>& shares)
 }
 
 TUFTWAVE_BODY void unfold(Window& window, std::vector<float>& shares) {
+    measure_distances(window);
     measure_corners(window);
     cut_folds(window);
     if (has_valley(window)) bridge(window);
@@ -205,19 +214,31 @@ TUFTWAVE_BODY void unfold(Window& window, std::vector<float>& shares) {
     find_shares(window, shares);
 }
 
-std::vector<Fold> folds_of(std::span<const Ring> rings) {
+/// 1 for each ring that may fold with the next, 0 for the others.
+using Marks = std::array<float, 64>;
+
+TUFTWAVE_BODY void mark_folds(const Rings& rings, std::size_t from, std::size_t count, Marks& marks) {
+    for (std::size_t k = 0; k < count; ++k) marks[k] = may_fold(rings[from + k], rings[from + k + 1]) ? 1 : 0;
+}
+
+std::vector<Fold> folds_of(const Rings& rings, Vectors vectors) {
     std::vector<Fold> folds;
     folds.reserve(kUsualFolds);
-    for (std::size_t i = 1; i < rings.size(); ++i) {
-        if (may_fold(rings[i - 1], rings[i])) folds.push_back({i, Pair(rings[i - 1], rings[i])});
+    Marks marks;
+    for (std::size_t from = 0; from + 1 < rings.size(); from += marks.size()) {
+        const std::size_t count = std::min(marks.size(), rings.size() - 1 - from);
+        run_with<mark_folds>(vectors, rings, from, count, marks);
+        for (std::size_t i = from + 1; i <= from + count; ++i) {
+            if (marks[i - 1 - from] > 0) folds.push_back({i, Pair(rings[i - 1], rings[i])});
+        }
     }
     return folds;
 }
 
 }  // namespace
 
-Reach unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
-    std::vector<Fold> folds = folds_of(rings);
+Reach unfolding_reach(const Rings& rings, int sides, Vectors vectors) {
+    std::vector<Fold> folds = folds_of(rings, vectors);
     if (folds.empty()) return {};
     double deepest = 0;  // no cut is deeper, and none fades further
     for (const Fold& fold : folds)
@@ -229,7 +250,7 @@ Reach unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors) {
         walked += distance(rings[last], rings[last + 1]);
     for (Fold& fold : folds) fold.ring -= first;
 
-    Window window(rings.subspan(first, last + 1 - first), folds, corners_of(sides));
+    Window window(rings, first, last + 1, folds, sides);
     Reach reach{first, window.row(), std::vector<float>(window.cuts.size())};
     run_with<unfold>(vectors, window, reach.shares);
     return reach;

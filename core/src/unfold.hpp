@@ -1,13 +1,11 @@
 #pragma once
 
-#include <span>
-
 #include "tuftwave/tuft.hpp"
 
 namespace tuftwave {
 
 /// What has to be cut off where the tuft bends more tightly than it is thick.
 /// Cost O(rings + cut rings * sides).
-Reach unfolding_reach(std::span<const Ring> rings, int sides, Vectors vectors);
+Reach unfolding_reach(const Rings& rings, int sides, Vectors vectors);
 
 }  // namespace tuftwave

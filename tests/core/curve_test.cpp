@@ -11,6 +11,7 @@
 
 #include "samples.hpp"
 #include "support.hpp"
+#include "tuftwave/ring.hpp"
 
 namespace tuftwave {
 namespace {
@@ -243,8 +244,8 @@ TEST(Curve, TurningNeverFallsAndIsTheArcsAngle) {
 
 double along_at(const Curve& curve, double part, double turn_worth) {
     double along = 0;
-    CurveFrame frame;
-    curve.at_parts({&part, 1}, turn_worth, {&along, 1}, {&frame, 1});
+    Rings ring(1);
+    curve.at_parts({&part, 1}, turn_worth, {&along, 1}, ring.frames());
     return along;
 }
 
@@ -265,12 +266,12 @@ TEST(Curve, ManyPartsAreThoseOfEachInAnyOrder) {
     const Curve curve(test::hairpin().points);
     const std::vector<double> parts{0.5, 0.1, 0, 0.45, 0.451, 1, 0.999, 0.3};
     std::vector<double> along(parts.size());
-    std::vector<CurveFrame> frames(parts.size());
-    curve.at_parts(parts, 0.1, along, frames);
+    Rings rings(parts.size());
+    curve.at_parts(parts, 0.1, along, rings.frames());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         EXPECT_EQ(along[i], along_at(curve, parts[i], 0.1)) << parts[i];
-        EXPECT_TRUE(are_near(frames[i].point, curve.at(along[i]).point, 1e-15)) << parts[i];
-        EXPECT_TRUE(are_near(frames[i].normal, curve.at(along[i]).normal, 1e-15)) << parts[i];
+        EXPECT_TRUE(are_near(rings[i].frame.point, curve.at(along[i]).point, 1e-15)) << parts[i];
+        EXPECT_TRUE(are_near(rings[i].frame.normal, curve.at(along[i]).normal, 1e-15)) << parts[i];
     }
 }
 

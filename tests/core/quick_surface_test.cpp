@@ -26,7 +26,7 @@ Points corners_of(const MeshPlan& plan, std::ptrdiff_t ring) {
     const auto last = static_cast<std::ptrdiff_t>(plan.rings.size()) - 1;
     if (ring < 0) return Points(sides, plan.root);
     if (ring > last && !plan.flat_tip) return Points(sides, plan.tip);
-    const Ring& at = plan.rings[static_cast<std::size_t>(std::min(ring, last))];
+    const Ring at = plan.rings[static_cast<std::size_t>(std::min(ring, last))];
     const std::span<const float> reach = plan.reach.of(static_cast<std::size_t>(std::min(ring, last)));
     Points corners;
     for (std::size_t j = 0; j < sides; ++j) {

@@ -42,7 +42,7 @@ inline AssertionResult has_no_spikes(const MeshPlan& plan, const Mesh& mesh) {
     constexpr double kRounding = 1e-6;  // a micrometre: floats half a metre from the origin
     const auto widest = [](const Ring& ring) { return std::max(ring.half_width, ring.half_thickness); };
     for (std::size_t i = 0; i < plan.rings.size(); ++i) {
-        const Ring &here = plan.rings[i], &before = plan.rings[i == 0 ? 0 : i - 1];
+        const Ring here = plan.rings[i], before = plan.rings[i == 0 ? 0 : i - 1];
         const double turn =
             length(here.frame.tangent - before.frame.tangent) + length(here.frame.normal - before.frame.normal);
         const double longest = length(here.frame.point - before.frame.point) + widest(here) * turn +

@@ -9,6 +9,8 @@
 
 namespace tuftwave {
 
+struct PlaceSearch;
+
 namespace bezier {
 struct Velocity;
 }
@@ -20,6 +22,27 @@ struct CurveFrame {
     Vec3 normal;  ///< perpendicular to the tangent
 
     Vec3 binormal() const { return cross(tangent, normal); }
+};
+
+/// Many frames, quantity by quantity: x, y and z of the points, of the tangents and of the normals.
+struct FrameRows {
+    double* first;
+    std::size_t stride;  ///< from row to row, doubles
+
+    void set(std::size_t i, const CurveFrame& frame) const {
+        set_vector(0, i, frame.point);
+        set_vector(1, i, frame.tangent);
+        set_normal(i, frame.normal);
+    }
+    void set_normal(std::size_t i, const Vec3& normal) const { set_vector(2, i, normal); }
+
+  private:
+    TUFTWAVE_BODY void set_vector(std::size_t quantity, std::size_t i, const Vec3& v) const {
+        double* const at = first + 3 * quantity * stride + i;
+        at[0] = v.x;
+        at[stride] = v.y;
+        at[2 * stride] = v.z;
+    }
 };
 
 /// A composite cubic Bezier through points, measured by arc length, with rotation-minimising frames.
@@ -54,7 +77,7 @@ class Curve {
     /// @param turn_worth  metres of length that a turn by one radian counts for, >= 0
     /// @param along, out  as many arc lengths, metres, and the frames there; `along` may be `parts`
     void at_parts(std::span<const double> parts, double turn_worth, std::span<double> along,
-                  std::span<CurveFrame> out) const;
+                  const FrameRows& out) const;
 
     /// Turns every normal about its tangent by the same angle, so that on the whole they point away from `center`.
     void face_away_from(const Vec3& center);
@@ -95,7 +118,7 @@ class Curve {
     void carry_normals();
     Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
     std::size_t sample_before(double along, std::size_t guess) const;
-    void find(std::span<const double> along, std::span<const std::size_t> pieces, std::span<CurveFrame> out) const;
+    void find(std::span<const double> along, std::span<const std::size_t> pieces, PlaceSearch& places) const;
 
     Vectors vectors_;
     std::vector<Segment> segments_;

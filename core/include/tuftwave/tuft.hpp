@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "tuftwave/curve.hpp"
 #include "tuftwave/head.hpp"
 #include "tuftwave/limits.hpp"
 #include "tuftwave/math.hpp"
 #include "tuftwave/profile.hpp"
 #include "tuftwave/reach.hpp"
 #include "tuftwave/result.hpp"
+#include "tuftwave/ring.hpp"
 #include "tuftwave/skeleton.hpp"
 #include "tuftwave/wide.hpp"
 
@@ -64,20 +64,12 @@ struct MeshDetail {
 Check check_tuft(const Tuft& tuft, const Head& head, const Limits& limits);
 Check check_detail(const MeshDetail& detail, const Limits& limits);
 
-/// One ring of a tuft, ready to be meshed.
-struct Ring {
-    CurveFrame frame;       ///< normal already turned by roll and twist
-    double along;           ///< share of the arc length
-    double half_width;      ///< along the frame's binormal, metres
-    double half_thickness;  ///< along the frame's normal, metres
-};
-
 /// A tuft cut into rings: everything about its mesh but the vertices.
 struct MeshPlan {
     std::size_t ring_count = 0;
     Vec3 root, tip;                      ///< the apexes of the two ends; the tip is the cap's middle where it is flat
     Vec3 root_direction, tip_direction;  ///< unit, outward at the two ends
-    std::vector<Ring> rings;             ///< without the apexes; none where only the mesh's size is planned
+    Rings rings;                         ///< without the apexes; none where only the mesh's size is planned
     Reach reach;
     bool flat_tip = false;  ///< p = 100: a cap at full width
     int sides = 0;
