@@ -47,6 +47,16 @@ class Corners {
     alignas(64) std::array<float, kMost> short_sines_, short_cosines_;
 };
 
+/// Calls `act` with the corners' padded() as its template argument: loops of a known length need no remainders, and
+/// what they fill stays in registers.
+template <std::size_t kRow = Corners::kVector, class Act>
+void with_row_of(const Corners& corners, const Act& act) {
+    if constexpr (kRow < Corners::kMost) {
+        if (corners.padded() > kRow) return with_row_of<kRow + Corners::kVector>(corners, act);
+    }
+    act.template operator()<kRow>();
+}
+
 /// Those of rings of so many corners, made once. @param sides  3 to kMostSides
 const Corners& corners_of(int sides);
 

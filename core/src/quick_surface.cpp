@@ -60,7 +60,7 @@ class RowWriter {
 };
 
 /// A tuft's surface, ring by ring.
-/// @tparam kRow  Corners::padded(), since loops of a known length need no remainders, and rows stay in registers
+/// @tparam kRow  Corners::padded()
 template <std::size_t kRow>
 class Surface {
   public:
@@ -267,21 +267,12 @@ class Surface {
     RowWriter<3 * kRow> positions_, normals_;
 };
 
-/// In the shortest rows that all corners fit in.
-template <std::size_t kRow = Corners::kVector>
-void write_surface(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out, std::vector<std::size_t>& left) {
-    if constexpr (kRow < Corners::kMost) {
-        if (corners_of(plan.sides).padded() > kRow)
-            return write_surface<kRow + Corners::kVector>(plan, vectors, out, left);
-    }
-    run_with<Surface<kRow>::write>(vectors, plan, scale_of(plan), out, left);
-}
-
 }  // namespace
 
 std::vector<std::size_t> write_surface_quickly(const MeshPlan& plan, Vectors vectors, const SurfaceSpans& out) {
     std::vector<std::size_t> left;
-    write_surface(plan, vectors, out, left);
+    with_row_of(corners_of(plan.sides),
+                [&]<std::size_t kRow>() { run_with<Surface<kRow>::write>(vectors, plan, scale_of(plan), out, left); });
     return left;
 }
 

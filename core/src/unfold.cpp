@@ -21,6 +21,8 @@ constexpr double kLeastAdvance = 0.1;
 constexpr double kFadeSlope = 1.0;
 /// A tuft that leaves the scalp at right angles has fewer.
 constexpr std::size_t kUsualFolds = 16;
+/// Around one bend there are fewer.
+constexpr std::size_t kUsualRings = 24;
 /// Rings that a bridge looks ahead at most, which bounds the work.
 constexpr std::size_t kBridgedRings = 64;
 
@@ -59,160 +61,168 @@ struct Fold {
 
 TUFTWAVE_BODY double distance(const Ring& a, const Ring& b) { return length(b.frame.point - a.frame.point); }
 
-/// The rings around all folds, as far as a cut can fade, with a row of corners for each.
-struct Window {
-    const Rings& rings;
-    std::size_t first, count;     // of the rings
-    std::span<const Fold> folds;  // counted from the first ring
-    const Corners& corners;
-    std::span<double> distances;    // to the next ring's centre, metres
-    std::span<double> sizes, cuts;  // of each corner from the centre; taken off that
-
-    Window(const Rings& all, std::size_t from, std::size_t to, std::span<const Fold> their_folds, int sides)
-        : rings(all),
-          first(from),
-          count(to - from),
-          folds(their_folds),
-          corners(corners_of(sides)),
-          rows_(std::make_unique_for_overwrite<double[]>(count * (2 * row() + 1))) {
-        sizes = {rows_.get(), count * row()};
-        cuts = {sizes.data() + sizes.size(), sizes.size()};
-        distances = {cuts.data() + cuts.size(), count};
-    }
-
-    std::size_t row() const { return corners.padded(); }
-    TUFTWAVE_BODY Ring ring(std::size_t i) const { return rings[first + i]; }
-
-  private:
-    std::unique_ptr<double[]> rows_;
-};
-
 TUFTWAVE_BODY double larger(double a, double b) { return a > b ? a : b; }
 TUFTWAVE_BODY double smaller(double a, double b) { return a < b ? a : b; }
 
-TUFTWAVE_BODY void measure_distances(Window& window) {
-    for (std::size_t i = 0; i + 1 < window.count; ++i)
-        window.distances[i] = distance(window.ring(i), window.ring(i + 1));
-}
+/// The rings around all folds, as far as a cut can fade, with a row of corners for each.
+/// @tparam kRow  Corners::padded()
+template <std::size_t kRow>
+class Window {
+  public:
+    /// @param to  behind the last ring
+    Window(const Rings& rings, std::size_t from, std::size_t to, std::span<const Fold> folds, const Corners& corners)
+        : rings_(rings),
+          first_(from),
+          count_(to - from),
+          folds_(folds),
+          corners_(corners),
+          more_(count_ > kUsualRings ? std::make_unique_for_overwrite<Cell[]>(count_) : nullptr),
+          cells_(more_ ? more_.get() : usual_.data()) {}
 
-TUFTWAVE_BODY void measure_corners(Window& window) {
-    const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
-    for (std::size_t i = 0; i < window.count; ++i) {
-        const double thickness = window.ring(i).half_thickness, width = window.ring(i).half_width;
-        double* const sizes = &window.sizes[i * window.row()];
-        if (thickness == width) {
-            std::fill_n(sizes, window.row(), width);
-            continue;
+    TUFTWAVE_BODY static void unfold(Window& window, std::vector<float>& shares) {
+        window.measure_corners();
+        window.cut_folds();
+        if (window.has_valley()) window.bridge();
+        window.fade();
+        window.find_shares(shares);
+    }
+
+  private:
+    struct alignas(64) Row {
+        std::array<double, kRow> corner;
+
+        TUFTWAVE_BODY double& operator[](std::size_t k) { return corner[k]; }
+        TUFTWAVE_BODY double operator[](std::size_t k) const { return corner[k]; }
+        TUFTWAVE_BODY void fill(double value) {
+            for (std::size_t k = 0; k < kRow; ++k) corner[k] = value;
         }
-        for (std::size_t k = 0; k < window.row(); ++k) {
-            const double up = thickness * cosines[k], across = width * sines[k];
-            sizes[k] = std::sqrt(up * up + across * across);
-        }
-    }
-}
-
-/// Cuts every corner back just so far that it runs forwards from ring to ring.
-TUFTWAVE_BODY void cut_folds(Window& window) {
-    const double *cosines = window.corners.cosines(), *sines = window.corners.sines();
-    std::ranges::fill(window.cuts, 0.0);
-    for (const auto& [ring, pair] : window.folds) {
-        const Ring a = window.ring(ring - 1), b = window.ring(ring);
-        const double a_up = a.half_thickness * dot(a.frame.normal, pair.forwards);
-        const double a_across = a.half_width * dot(a.frame.binormal(), pair.forwards);
-        const double b_up = b.half_thickness * dot(b.frame.normal, pair.forwards);
-        const double b_across = b.half_width * dot(b.frame.binormal(), pair.forwards);
-        const double allowed = pair.advance > 0 ? (1 - kLeastAdvance) * pair.advance : 0;
-        const double whole = pair.advance > 0 ? 0 : 1;  // where the centre does not advance, no corner may stand off
-        const double *a_sizes = &window.sizes[(ring - 1) * window.row()], *b_sizes = a_sizes + window.row();
-        double *a_cuts = &window.cuts[(ring - 1) * window.row()], *b_cuts = a_cuts + window.row();
-        for (std::size_t k = 0; k < window.row(); ++k) {
-            const double ahead = a_up * cosines[k] + a_across * sines[k],
-                         back = b_up * cosines[k] + b_across * sines[k];
-            const double lost = larger(ahead, 0) + larger(-back, 0);
-            const double part = lost > allowed ? 1 - allowed / lost : 0;
-            a_cuts[k] = larger(a_cuts[k], larger(part, whole) * a_sizes[k]);
-            b_cuts[k] = larger(b_cuts[k], larger(part, whole) * b_sizes[k]);
-        }
-    }
-}
-
-enum class Towards { kRoot, kTip };
-
-/// Raises `deepest` to the deepest cut of each corner from ring `i` on, as far as the corner stands from the centre.
-TUFTWAVE_BODY void find_deepest(const Window& window, std::size_t i, Towards side, double* deepest) {
-    const std::size_t there = side == Towards::kTip ? window.count - 1 - i : i, row = window.row();
-    const double *cuts = &window.cuts[i * row], *spans = &window.sizes[i * row];
-    const double furthest = widest(window.ring(i));
-    for (std::size_t k = 0; k < row; ++k) deepest[k] = cuts[k];
-    double walked = 0;
-    for (std::size_t step = 0; step < std::min(there, kBridgedRings); ++step) {
-        walked += window.distances[side == Towards::kTip ? i + step : i - step - 1];
-        if (walked > furthest) break;
-        cuts = side == Towards::kTip ? cuts + row : cuts - row;
-        for (std::size_t k = 0; k < row; ++k) deepest[k] = larger(deepest[k], walked > spans[k] ? 0 : cuts[k]);
-    }
-}
-
-/// Whether a corner is cut less than both before and after it.
-TUFTWAVE_BODY bool has_valley(const Window& window) {
-    const std::size_t row = window.row(), from = window.folds.front().ring - 1, to = window.folds.back().ring;
-    std::array<double, Corners::kMost> deepest, falls,
-        valleys;  // so far; 1 where it has been less since; and rose again
-    for (std::size_t k = 0; k < row; ++k) deepest[k] = falls[k] = valleys[k] = 0;
-    for (std::size_t i = from; i <= to; ++i) {
-        const double *cuts = &window.cuts[i * row], *last = i > from ? cuts - row : cuts;
-        for (std::size_t k = 0; k < row; ++k) {
-            valleys[k] = cuts[k] > last[k] ? larger(valleys[k], falls[k]) : valleys[k];
-            falls[k] = cuts[k] < deepest[k] ? 1 : falls[k];
-            deepest[k] = larger(deepest[k], cuts[k]);
-        }
-    }
-    return std::any_of(valleys.begin(), valleys.begin() + static_cast<std::ptrdiff_t>(row),
-                       [](double valley) { return valley > 0; });
-}
-
-/// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a fin:
-/// it stays cut as far as the lesser of the deepest cuts before and after.
-TUFTWAVE_BODY void bridge(Window& window) {
-    const std::size_t from = window.folds.front().ring - 1, to = window.folds.back().ring;
-    std::array<double, Corners::kMost> before, after;
-    std::vector<double> cuts(window.cuts.begin(), window.cuts.end());
-    for (std::size_t i = from; i <= to; ++i) {
-        find_deepest(window, i, Towards::kRoot, before.data());
-        find_deepest(window, i, Towards::kTip, after.data());
-        double* const bridged = &cuts[i * window.row()];
-        for (std::size_t k = 0; k < window.row(); ++k) bridged[k] = larger(bridged[k], smaller(before[k], after[k]));
-    }
-    std::copy(cuts.begin(), cuts.end(), window.cuts.begin());
-}
-
-TUFTWAVE_BODY void fade(Window& window) {
-    const std::size_t row = window.row();
-    const auto carry = [&](std::size_t from, std::size_t to) {
-        const double lost = kFadeSlope * window.distances[std::min(from, to)];
-        const double* const cuts = &window.cuts[from * row];
-        double* const faded = &window.cuts[to * row];
-        for (std::size_t k = 0; k < row; ++k) faded[k] = larger(faded[k], cuts[k] - lost);
     };
-    for (std::size_t i = 1; i < window.count; ++i) carry(i - 1, i);
-    for (std::size_t i = window.count - 1; i > 0; --i) carry(i, i - 1);
-}
+    /// What is known at a ring.
+    struct Cell {
+        Row sizes, cuts;  // of each corner from the centre; taken off that
+        double distance;  // to the next ring's centre, metres
+    };
+    enum class Towards { kRoot, kTip };
 
-TUFTWAVE_BODY void find_shares(const Window& window, std::vector<float>& shares) {
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        const double left = 1 - window.cuts[i] / window.sizes[i];
-        shares[i] = static_cast<float>(window.cuts[i] > 0 ? larger(left, 0) : 1);
+    TUFTWAVE_BODY Ring ring(std::size_t i) const { return rings_[first_ + i]; }
+
+    TUFTWAVE_BODY void measure_corners() {
+        for (std::size_t i = 0; i + 1 < count_; ++i) cells_[i].distance = distance(ring(i), ring(i + 1));
+        const double *cosines = corners_.cosines(), *sines = corners_.sines();
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double thickness = ring(i).half_thickness, width = ring(i).half_width;
+            Row& sizes = cells_[i].sizes;
+            if (thickness == width) {
+                sizes.fill(width);
+                continue;
+            }
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const double up = thickness * cosines[k], across = width * sines[k];
+                sizes[k] = std::sqrt(up * up + across * across);
+            }
+        }
     }
-}
 
-TUFTWAVE_BODY void unfold(Window& window, std::vector<float>& shares) {
-    measure_distances(window);
-    measure_corners(window);
-    cut_folds(window);
-    if (has_valley(window)) bridge(window);
-    fade(window);
-    find_shares(window, shares);
-}
+    /// Cuts every corner back just so far that it runs forwards from ring to ring.
+    TUFTWAVE_BODY void cut_folds() {
+        const double *cosines = corners_.cosines(), *sines = corners_.sines();
+        for (std::size_t i = 0; i < count_; ++i) cells_[i].cuts.fill(0);
+        for (const auto& [at, pair] : folds_) {
+            const Ring a = ring(at - 1), b = ring(at);
+            const double a_up = a.half_thickness * dot(a.frame.normal, pair.forwards);
+            const double a_across = a.half_width * dot(a.frame.binormal(), pair.forwards);
+            const double b_up = b.half_thickness * dot(b.frame.normal, pair.forwards);
+            const double b_across = b.half_width * dot(b.frame.binormal(), pair.forwards);
+            const double allowed = pair.advance > 0 ? (1 - kLeastAdvance) * pair.advance : 0;
+            const double whole = pair.advance > 0 ? 0 : 1;  // where the centre stays, no corner may stand off
+            const Row &a_sizes = cells_[at - 1].sizes, &b_sizes = cells_[at].sizes;
+            Row &a_cuts = cells_[at - 1].cuts, &b_cuts = cells_[at].cuts;
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const double ahead = a_up * cosines[k] + a_across * sines[k],
+                             back = b_up * cosines[k] + b_across * sines[k];
+                const double lost = larger(ahead, 0) + larger(-back, 0);
+                const double part = lost > allowed ? 1 - allowed / lost : 0;
+                a_cuts[k] = larger(a_cuts[k], larger(part, whole) * a_sizes[k]);
+                b_cuts[k] = larger(b_cuts[k], larger(part, whole) * b_sizes[k]);
+            }
+        }
+    }
+
+    /// Whether a corner is cut less than both before and after it.
+    TUFTWAVE_BODY bool has_valley() const {
+        const std::size_t from = folds_.front().ring - 1, to = folds_.back().ring;
+        Row deepest = cells_[from].cuts, falls, valleys;  // so far; 1 where it has been less since; and rose again
+        falls.fill(0);
+        valleys.fill(0);
+        for (std::size_t i = from + 1; i <= to; ++i) {
+            const Row &cuts = cells_[i].cuts, &last = cells_[i - 1].cuts;
+            for (std::size_t k = 0; k < kRow; ++k) {
+                valleys[k] = cuts[k] > last[k] ? larger(valleys[k], falls[k]) : valleys[k];
+                falls[k] = cuts[k] < deepest[k] ? 1 : falls[k];
+                deepest[k] = larger(deepest[k], cuts[k]);
+            }
+        }
+        return std::any_of(valleys.corner.begin(), valleys.corner.end(), [](double valley) { return valley > 0; });
+    }
+
+    /// Between two bends that are nearer than the tuft is thick, the column would recover and stand in the fold as a
+    /// fin: it stays cut as far as the lesser of the deepest cuts before and after.
+    TUFTWAVE_BODY void bridge() {
+        const std::size_t from = folds_.front().ring - 1, to = folds_.back().ring;
+        std::vector<Row> bridged;
+        bridged.reserve(to + 1 - from);
+        for (std::size_t i = from; i <= to; ++i) {
+            const Row before = deepest(i, Towards::kRoot), after = deepest(i, Towards::kTip);
+            Row& cuts = bridged.emplace_back(cells_[i].cuts);
+            for (std::size_t k = 0; k < kRow; ++k) cuts[k] = larger(cuts[k], smaller(before[k], after[k]));
+        }
+        for (std::size_t i = from; i <= to; ++i) cells_[i].cuts = bridged[i - from];
+    }
+
+    /// The deepest cut of each corner from ring `i` on, as far as the corner stands from the centre.
+    TUFTWAVE_BODY Row deepest(std::size_t i, Towards side) const {
+        const std::size_t there = side == Towards::kTip ? count_ - 1 - i : i;
+        const Row& spans = cells_[i].sizes;
+        const double furthest = widest(ring(i));
+        Row deepest = cells_[i].cuts;
+        double walked = 0;
+        for (std::size_t step = 1; step <= std::min(there, kBridgedRings); ++step) {
+            walked += cells_[side == Towards::kTip ? i + step - 1 : i - step].distance;
+            if (walked > furthest) break;
+            const Row& cuts = cells_[side == Towards::kTip ? i + step : i - step].cuts;
+            for (std::size_t k = 0; k < kRow; ++k) deepest[k] = larger(deepest[k], walked > spans[k] ? 0 : cuts[k]);
+        }
+        return deepest;
+    }
+
+    TUFTWAVE_BODY void fade() {
+        for (std::size_t i = 1; i < count_; ++i) fade(cells_[i - 1].cuts, cells_[i - 1].distance, cells_[i].cuts);
+        for (std::size_t i = count_ - 1; i > 0; --i) fade(cells_[i].cuts, cells_[i - 1].distance, cells_[i - 1].cuts);
+    }
+
+    TUFTWAVE_BODY static void fade(const Row& from, double distance, Row& to) {
+        const double lost = kFadeSlope * distance;
+        for (std::size_t k = 0; k < kRow; ++k) to[k] = larger(to[k], from[k] - lost);
+    }
+
+    TUFTWAVE_BODY void find_shares(std::vector<float>& shares) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Row &cuts = cells_[i].cuts, &sizes = cells_[i].sizes;
+            for (std::size_t k = 0; k < kRow; ++k) {
+                const double left = 1 - cuts[k] / sizes[k];
+                shares[i * kRow + k] = static_cast<float>(cuts[k] > 0 ? larger(left, 0) : 1);
+            }
+        }
+    }
+
+    const Rings& rings_;
+    const std::size_t first_, count_;
+    const std::span<const Fold> folds_;  // counted from the first ring
+    const Corners& corners_;
+    std::array<Cell, kUsualRings> usual_;
+    const std::unique_ptr<Cell[]> more_;
+    Cell* const cells_;
+};
 
 /// 1 for each ring that may fold with the next, 0 for the others.
 using Marks = std::array<float, 64>;
@@ -250,9 +260,12 @@ Reach unfolding_reach(const Rings& rings, int sides, Vectors vectors) {
         walked += distance(rings[last], rings[last + 1]);
     for (Fold& fold : folds) fold.ring -= first;
 
-    Window window(rings, first, last + 1, folds, sides);
-    Reach reach{first, window.row(), std::vector<float>(window.cuts.size())};
-    run_with<unfold>(vectors, window, reach.shares);
+    const Corners& corners = corners_of(sides);
+    Reach reach{first, corners.padded(), std::vector<float>((last + 1 - first) * corners.padded())};
+    with_row_of(corners, [&]<std::size_t kRow>() {
+        Window<kRow> window(rings, first, last + 1, folds, corners);
+        run_with<Window<kRow>::unfold>(vectors, window, reach.shares);
+    });
     return reach;
 }
 
