@@ -75,7 +75,7 @@ struct Curve::FirstSamples {
     Rows constant, linear, quadratic;                 // of the velocities
     std::array<Rows, kHalves> tangents;               // at the samples and halfway between; not finite at rest
     alignas(64) std::array<Row, kHalves> speeds;      // likewise
-    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; the first one's is not known
+    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; of the first segment's not known
     alignas(64) std::array<Row, kFirstSamples> arcs;  // from sample to sample, metres
 
     TUFTWAVE_BODY static void take(FirstSamples& s, std::size_t padded) {
@@ -88,6 +88,8 @@ struct Curve::FirstSamples {
                 s.tangents[half].set(k, 1 / speed * velocity);
             }
         }
+        for (std::size_t k = 1; k < padded; ++k)
+            s.turns[0][k] = length(s.tangents[0][k] - s.tangents[kHalves - 1][k - 1]);
         for (std::size_t half = 1; half < kHalves; ++half) {
             for (std::size_t k = 0; k < padded; ++k)
                 s.turns[half][k] = length(s.tangents[half][k] - s.tangents[half - 1][k]);
@@ -102,10 +104,18 @@ struct Curve::FirstSamples {
     TUFTWAVE_BODY bezier::Velocity velocity(std::size_t k) const { return {constant[k], linear[k], quadratic[k]}; }
 };
 
+/// What is known of a curve up to its last sample; kept at hand, since what was just stored takes long to be read
+/// again.
+struct Curve::End {
+    Vec3 tangent;
+    double speed, turning;
+};
+
 void Curve::measure() {
     // Where two points are neighbouring doubles, the Bezier points between them coincide.
     const auto [tangent, speed] = heading_at(0, 0, normalized(segments_[0].end - segments_[0].start));
     samples_.push_back({0, 0, 0, speed, speed, 0, 0, {segments_[0].start, tangent, any_perpendicular(tangent)}});
+    End last{tangent, speed, 0};
     FirstSamples first;
     for (std::size_t from = 0; from < segments_.size(); from += FirstSamples::kMost) {
         const std::size_t count = std::min(FirstSamples::kMost, segments_.size() - from);
@@ -117,10 +127,11 @@ void Curve::measure() {
             first.quadratic.set(k, segment.quadratic);
         }
         run_with<FirstSamples::take>(vectors_, first, padded);
-        for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k);
+        for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k, last);
     }
     find_unknown_arcs();
-    for (std::size_t i = 1; i < samples_.size(); ++i) samples_[i].along += samples_[i - 1].along;
+    double along = 0;
+    for (Sample& sample : samples_) sample.along = along += sample.along;
 }
 
 void Curve::find_unknown_arcs() {
@@ -146,42 +157,46 @@ void Curve::find_unknown_arcs() {
     if (count > 0) measure();
 }
 
-void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k) {
+inline void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn,
+                              End& last) {
+    const Segment& bezier = segments_[segment];
+    const double from_speed = from > 0 ? last.speed : length(bezier.constant);
+    last = {end.tangent, end.speed, last.turning + turn};
+    samples_.push_back(
+        {segment, from, t, from_speed, end.speed, arc, last.turning, {bezier.point(t), end.tangent, {}}});
+}
+
+void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k, End& last) {
     for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
         const double from = static_cast<double>(piece) / kFirstSamples, t = from + 1.0 / kFirstSamples;
         const std::size_t half = 2 * piece, whole = half + 1;
-        const Vec3 last = samples_.back().frame.tangent, middle = first.tangents[half][k];
-        const double turn = (piece == 0 ? length(middle - last) : first.turns[half][k]) + first.turns[whole][k];
+        const Vec3 middle = first.tangents[half][k];
+        const double turn =
+            (k == 0 && piece == 0 ? length(middle - last.tangent) : first.turns[half][k]) + first.turns[whole][k];
         const Heading end{first.tangents[whole][k], first.speeds[whole][k]};
         if (turn <= kSampleTurn) {
-            add_sample(segment, from, t, end, first.arcs[piece][k], turn);
+            add_sample(segment, from, t, end, first.arcs[piece][k], turn, last);
             continue;
         }
         const double speed = first.speeds[half][k];
-        sample_up_to(segment, from, t, {speed > 0 ? middle : last, speed},
-                     {end.speed > 0 ? end.tangent : last, end.speed}, 0);
+        sample_up_to(segment, from, t, {speed > 0 ? middle : last.tangent, speed},
+                     {end.speed > 0 ? end.tangent : last.tangent, end.speed}, 0, last);
     }
 }
 
 void Curve::sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
-                         int halvings) {
-    const Vec3 start = samples_.back().frame.tangent;
+                         int halvings, End& last) {
+    const Vec3 start = last.tangent;
     const double turn = length(between.tangent - start) + length(end.tangent - between.tangent);
     if (turn > kSampleTurn && halvings < kDeepestHalving) {
         const double middle = (from + t) / 2;
-        sample_up_to(segment, from, middle, heading_at(segment, (from + middle) / 2, start), between, halvings + 1);
-        sample_up_to(segment, middle, t, heading_at(segment, (middle + t) / 2, between.tangent), end, halvings + 1);
+        const Heading before = heading_at(segment, (from + middle) / 2, start),
+                      after = heading_at(segment, (middle + t) / 2, between.tangent);
+        sample_up_to(segment, from, middle, before, between, halvings + 1, last);
+        sample_up_to(segment, middle, t, after, end, halvings + 1, last);
         return;
     }
-    add_sample(segment, from, t, end, kUnknownArc, turn);
-}
-
-void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn) {
-    const Sample& last = samples_.back();
-    const Segment& bezier = segments_[segment];
-    const double from_speed = from > 0 ? last.speed : length(bezier.constant);
-    samples_.push_back(
-        {segment, from, t, from_speed, end.speed, arc, last.turning + turn, {bezier.point(t), end.tangent, {}}});
+    add_sample(segment, from, t, end, kUnknownArc, turn, last);
 }
 
 void Curve::carry_normals() {

@@ -24,6 +24,25 @@ constexpr double kLookedAt = 0.92;
 /// Where a ring count is given: the share of the arc length that a turn by one radian counts for.
 constexpr double kTurnWorth = 0.08;
 
+/// Parts of equal size. @param count  of those up to 1
+TUFTWAVE_BODY void divide_evenly(std::span<double> parts, double count) {
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = static_cast<double>(i + 1) / count;
+}
+
+TUFTWAVE_BODY void divide(std::span<double> numbers, double by) {
+    for (double& number : numbers) number /= by;
+}
+
+/// @param widths  as shares of the tuft's; becomes metres
+TUFTWAVE_BODY void scale_widths(std::span<double> widths, double half_diameter, double thickness,
+                                std::span<double> thicknesses) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const double width = half_diameter * widths[i];
+        widths[i] = width;
+        thicknesses[i] = width * thickness;
+    }
+}
+
 /// Turns normals about their tangents, as the tuft rolls and twists.
 TUFTWAVE_BODY void turn(Rings& rings, const Tuft& tuft) {
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -72,10 +91,9 @@ class RingChooser {
         const double whole = curve_.arc_length();
         rings_ = Rings(static_cast<std::size_t>(count));
         const std::span<double> along = rings_.along();
-        for (std::size_t i = 0; i < along.size(); ++i)
-            along[i] = static_cast<double>(i + 1) / (flat_tip ? count : count + 1);
+        run_with<divide_evenly>(vectors_, along, flat_tip ? count : count + 1);
         curve_.at_parts(along, kTurnWorth * whole, along, rings_.frames());
-        for (double& place : along) place /= whole;
+        run_with<divide>(vectors_, along, whole);
         shape(rings_);
     }
 
@@ -99,10 +117,7 @@ class RingChooser {
         const std::span<double> widths = rings.half_widths(), thicknesses = rings.half_thicknesses();
         profile_widths(tuft_.taper, rings.along(), tuft_.widest_at / 100, widths, vectors_);
         const double thickness = tuft_.section == Section::kEllipse ? 1 - tuft_.flatness : 1;
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            widths[i] *= half_diameter_;
-            thicknesses[i] = widths[i] * thickness;
-        }
+        run_with<scale_widths>(vectors_, widths, half_diameter_, thickness, thicknesses);
         if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
     }
 

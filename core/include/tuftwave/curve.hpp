@@ -107,13 +107,14 @@ class Curve {
         CurveFrame frame;
     };
     struct FirstSamples;
+    struct End;
 
     void make_segments(std::span<const Vec3> points);
     void measure();
-    void measure(std::size_t segment, const FirstSamples& first, std::size_t k);
+    void measure(std::size_t segment, const FirstSamples& first, std::size_t k, End& last);
     void sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
-                      int halvings);
-    void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn);
+                      int halvings, End& last);
+    void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn, End& last);
     void find_unknown_arcs();
     void carry_normals();
     Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
