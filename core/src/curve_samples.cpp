@@ -20,34 +20,30 @@ constexpr double kUnknownArc = -1;  // of a piece, until all are measured at onc
 /// Steps from sample to sample.
 struct Steps {
     static constexpr std::size_t kMost = 64;
-    using Row = std::array<double, kMost>;
-    VectorRows<kMost> x, y, z;  // what a normal is multiplied by to be carried along, row by row
-    alignas(64) Row forwards;   // 0 where the step tells nothing
-    VectorRows<kMost> normals;
+    VectorRows<kMost + 1> points, tangents, normals;
+    VectorRows<kMost> x, y, z;                          // what a normal is multiplied by to be the next one, row by row
+    alignas(64) std::array<double, kMost> is_forwards;  // 0 where the step tells nothing
+
+    TUFTWAVE_BODY static void find(Steps& s, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const bezier::Step step(s.points[k], s.tangents[k], s.points[k + 1], s.tangents[k + 1]);
+            const Vec3 first = step.twice_first * step.first, second = step.twice_second * step.second,
+                       through = step.second - step.coupling * step.first;
+            s.x.set(k, Vec3{1, 0, 0} - first.x * step.first - second.x * through);
+            s.y.set(k, Vec3{0, 1, 0} - first.y * step.first - second.y * through);
+            s.z.set(k, Vec3{0, 0, 1} - first.z * step.first - second.z * through);
+            s.is_forwards[k] = step.is_forwards ? 1.0 : 0.0;
+        }
+    }
+
+    /// Rounding leaves a trace of the tangents in the normals.
+    TUFTWAVE_BODY static void straighten_normals(Steps& s, std::size_t count) {
+        for (std::size_t k = 1; k <= count; ++k) {
+            const Vec3 upright = rejected(s.normals[k], s.tangents[k]);
+            s.normals.set(k, 1 / length(upright) * upright);
+        }
+    }
 };
-
-template <class Sample>
-TUFTWAVE_BODY void find_steps(const Sample* samples, std::size_t count, Steps& to) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const CurveFrame &from = samples[k].frame, &next = samples[k + 1].frame;
-        const bezier::Step step(from.point, from.tangent, next.point, next.tangent);
-        const Vec3 first = step.twice_first * step.first, second = step.twice_second * step.second,
-                   through = step.second - step.coupling * step.first;
-        to.x.set(k, Vec3{1, 0, 0} - first.x * step.first - second.x * through);
-        to.y.set(k, Vec3{0, 1, 0} - first.y * step.first - second.y * through);
-        to.z.set(k, Vec3{0, 0, 1} - first.z * step.first - second.z * through);
-        to.forwards[k] = step.is_forwards ? 1.0 : 0.0;
-    }
-}
-
-/// Rounding leaves a trace of the tangents in the normals.
-template <class Sample>
-TUFTWAVE_BODY void straighten_normals(const Sample* samples, std::size_t count, Steps& steps) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 upright = rejected(steps.normals[k], samples[k + 1].frame.tangent);
-        steps.normals.set(k, 1 / length(upright) * upright);
-    }
-}
 
 /// Pieces of segments that are measured at once.
 struct Arcs {
@@ -201,13 +197,17 @@ void Curve::sample_up_to(std::size_t segment, double from, double t, const Headi
 
 void Curve::carry_normals() {
     Steps steps;
-    Vec3 normal = samples_.front().frame.normal;
     for (std::size_t start = 0; start + 1 < samples_.size(); start += Steps::kMost) {
         Sample* const samples = &samples_[start];
-        const std::size_t count = std::min(Steps::kMost, samples_.size() - 1 - start);
-        run_with<find_steps<Sample>>(vectors_, samples, count, steps);
+        const std::size_t count = std::min(Steps::kMost, samples_.size() - start - 1);
+        for (std::size_t k = 0; k <= count; ++k) {
+            steps.points.set(k, samples[k].frame.point);
+            steps.tangents.set(k, samples[k].frame.tangent);
+        }
+        run_with<Steps::find>(vectors_, steps, count);
+        Vec3 normal = samples[0].frame.normal;
         for (std::size_t k = 0; k < count; ++k) {
-            if (steps.forwards[k] != 0) {
+            if (steps.is_forwards[k] != 0) {
                 normal = {dot(steps.x[k], normal), dot(steps.y[k], normal), dot(steps.z[k], normal)};
             } else {
                 const Vec3& tangent = samples[k + 1].frame.tangent;
@@ -215,11 +215,10 @@ void Curve::carry_normals() {
                 const double size = length(upright);
                 normal = size > bezier::kLeastNormal ? upright / size : any_perpendicular(tangent);
             }
-            steps.normals.set(k, normal);
+            steps.normals.set(k + 1, normal);
         }
-        run_with<straighten_normals<Sample>>(vectors_, samples, count, steps);
-        for (std::size_t k = 0; k < count; ++k) samples[k + 1].frame.normal = steps.normals[k];
-        normal = samples[count].frame.normal;
+        run_with<Steps::straighten_normals>(vectors_, steps, count);
+        for (std::size_t k = 1; k <= count; ++k) samples[k].frame.normal = steps.normals[k];
     }
 }
 
