@@ -135,9 +135,7 @@ Check check_drawing(const Drawing& drawing, const Limits& limits) {
                      "as many nodes as each picture has, " + std::to_string(nodes),
                      static_cast<double>(nodes),
                      static_cast<double>(nodes)};
-    for (std::size_t i = 0; i < nodes; ++i) {
-        if (Check wrong = check_position(rest[i], limits, "/rest/" + std::to_string(i))) return wrong;
-    }
+    if (Check wrong = check_positions(rest, limits, "/rest")) return wrong;
     return mean_length({&rest, 1}) < kShortestDirection ? Check(no_length("/rest")) : Check{};
 }
 

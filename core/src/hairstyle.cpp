@@ -40,9 +40,10 @@ Check check_counts(const Tufts& tufts, const MeshDetail& mesh, const Limits& lim
 }
 
 Check check_mesh_size(std::size_t vertices, std::size_t triangles, const Limits& limits) {
-    const std::string advice = "; use a larger tolerance, fewer rings or fewer sides";
-    if (Check wrong = check_total(vertices, limits.vertices, "vertices" + advice, "/mesh")) return wrong;
-    return check_total(triangles, limits.triangles, "triangles" + advice, "/mesh");
+    Check wrong = check_total(vertices, limits.vertices, "vertices", "/mesh");
+    if (!wrong) wrong = check_total(triangles, limits.triangles, "triangles", "/mesh");
+    if (wrong) wrong->allowed += "; use a larger tolerance, fewer rings or fewer sides";
+    return wrong;
 }
 
 /// Where the rings are given, how large the mesh will be is known before any work.
@@ -154,6 +155,7 @@ const MeshPlan& mesh_plan(const HairPlan& plan, std::size_t tuft, MeshPlan& made
 Result<HairPlan> plan_hairstyle(const Hairstyle& hairstyle, const Limits& limits, const ForEach& for_each,
                                 std::stop_token stop) {
     Tufts tufts;
+    tufts.reserve(hairstyle.tufts.size());
     for (const Tuft& tuft : hairstyle.tufts) tufts.push_back(&tuft);
     if (Check wrong = check_counts(tufts, hairstyle.mesh, limits)) return *wrong;
     if (Check wrong = check_head(hairstyle.head, limits)) return within("/head", *wrong);

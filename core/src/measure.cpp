@@ -59,9 +59,7 @@ Check check_lines(std::span<const Line> lines, const Limits& limits) {
                          "as many nodes as the first picture has",
                          {},
                          {}};
-        for (std::size_t i = 0; i < lines[n].size(); ++i) {
-            if (Check wrong = check_position(lines[n][i], limits, place + "/" + std::to_string(i))) return wrong;
-        }
+        if (Check wrong = check_positions(lines[n], limits, place)) return wrong;
     }
     return {};
 }

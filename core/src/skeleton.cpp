@@ -8,25 +8,22 @@
 namespace tuftwave {
 namespace {
 
-Check check_rotation(const Quat& q, const Limits& limits, const std::string& field) {
+Check check_rotation(const Quat& q, const Limits& limits) {
     const double parts[] = {q.x, q.y, q.z, q.w};
     for (int i = 0; i < 4; ++i) {
         if (!is_within(parts[i], limits.coordinate))
-            return check_range(parts[i], limits.coordinate, field + "/" + std::to_string(i));
+            return check_range(parts[i], limits.coordinate, "/" + std::to_string(i));
     }
     if (dot(q, q) < kShortestDirection * kShortestDirection)
-        return Error{
-            ErrorCode::kDegenerate, field, std::sqrt(dot(q, q)), "a quaternion with a length above 1e-9", {}, {}};
+        return Error{ErrorCode::kDegenerate, "", std::sqrt(dot(q, q)), "a quaternion with a length above 1e-9", {}, {}};
     return {};
 }
 
 Check check_nodes(const Chain& chain, const Limits& limits) {
     if (Check wrong = check_count(chain.nodes.size(), 2, limits.nodes_per_chain, "/nodes")) return wrong;
+    if (Check wrong = check_positions(chain.nodes, limits, "/nodes")) return wrong;
     double whole = 0;
-    for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
-        if (Check wrong = check_position(chain.nodes[i], limits, "/nodes/" + std::to_string(i))) return wrong;
-        if (i > 0) whole += length(chain.nodes[i] - chain.nodes[i - 1]);
-    }
+    for (std::size_t i = 1; i < chain.nodes.size(); ++i) whole += length(chain.nodes[i] - chain.nodes[i - 1]);
     if (whole < kShortestDirection)
         return Error{
             ErrorCode::kDegenerate, "/nodes", whole, "nodes that are at least 1e-9 metres apart in all", {}, {}};
@@ -49,10 +46,10 @@ Check check_chain(const Chain& chain, const Limits& limits) {
                      count};
     }
     for (std::size_t i = 0; i < chain.rest_rotations.size(); ++i) {
-        if (Check wrong = check_rotation(chain.rest_rotations[i], limits, "/rest_rotations/" + std::to_string(i)))
-            return wrong;
+        if (Check wrong = check_rotation(chain.rest_rotations[i], limits))
+            return within("/rest_rotations/" + std::to_string(i), *std::move(wrong));
     }
-    if (Check wrong = check_rotation(chain.parent_rotation, limits, "/parent_rotation")) return wrong;
+    if (Check wrong = check_rotation(chain.parent_rotation, limits)) return within("/parent_rotation", *wrong);
     if (chain.outward) {
         if (Check wrong = check_direction(*chain.outward, limits, "/outward")) return wrong;
     }

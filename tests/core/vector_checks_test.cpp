@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "support.hpp"
 
@@ -21,6 +22,13 @@ TEST(CheckPosition, NamesTheFirstWrongCoordinate) {
     EXPECT_TRUE(is_refused(check_position({kNaN, kNaN, 0}, kLimits, "/p"), ErrorCode::kNotFinite, "/p/0"));
     EXPECT_TRUE(is_refused(check_position({0, -kInfinity, 2e6}, kLimits, "/p"), ErrorCode::kNotFinite, "/p/1"));
     EXPECT_TRUE(is_refused(check_position({0, 0, 2e6}, kLimits, "/p"), ErrorCode::kOutOfRange, "/p/2"));
+}
+
+TEST(CheckPositions, NamesTheFirstWrongPoint) {
+    EXPECT_FALSE(check_positions({}, kLimits, "/list"));
+    const std::vector<Vec3> points{{0, 0, 1}, {0, 2e6, 0}, {kNaN, 0, 0}};
+    EXPECT_FALSE(check_positions({points.data(), 1}, kLimits, "/list"));
+    EXPECT_TRUE(is_refused(check_positions(points, kLimits, "/list"), ErrorCode::kOutOfRange, "/list/1/1"));
 }
 
 TEST(CheckDirection, NeedsALength) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "tuftwave/result.hpp"
 
@@ -79,17 +80,17 @@ struct Limits {
 inline bool is_within(double value, Range range) { return value >= range.minimum && value <= range.maximum; }
 
 /// @errors  not_finite, out_of_range
-Check check_range(double value, Range range, const std::string& field);
+Check check_range(double value, Range range, std::string_view field);
 
 /// Like check_range, for the magnitude of `value`: zero and values near it are refused on both sides.
-Check check_magnitude(double value, Range range, const std::string& field);
+Check check_magnitude(double value, Range range, std::string_view field);
 
 /// @errors  too_few, too_many
-Check check_count(std::size_t count, std::size_t minimum, std::size_t maximum, const std::string& field);
+Check check_count(std::size_t count, std::size_t minimum, std::size_t maximum, std::string_view field);
 
 /// For what only a sum over a request can exceed. @param what  what is counted, for the message: "points in all tufts"
 /// @errors  too_many
-Check check_total(std::size_t total, std::size_t most, const std::string& what, const std::string& field);
+Check check_total(std::size_t total, std::size_t most, std::string_view what, std::string_view field);
 
 /// A number as people write it, without trailing zeros: "0.45", "24".
 std::string to_text(double value);

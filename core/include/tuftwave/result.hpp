@@ -39,7 +39,8 @@ inline Error within(const std::string& place, Error error) {
 template <class T>
 class [[nodiscard]] Result {
   public:
-    Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+    Result(T&& value) : content_(std::in_place_index<0>, std::move(value)) {}
+    Result(const T& value) : content_(std::in_place_index<0>, value) {}
     Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
 
     explicit operator bool() const { return content_.index() == 0; }
