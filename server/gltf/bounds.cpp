@@ -13,11 +13,12 @@ constexpr std::size_t kSide = 24;
 
 using Sides = std::array<float, kSide>;
 
-/// @param looked  becomes how many numbers were looked at: all but less than kSide
-TUFTWAVE_BODY void look(std::span<const float> points, Sides& least_found, Sides& most_found, std::size_t& looked) {
+/// @param points  kSide numbers at least
+TUFTWAVE_BODY void look(std::span<const float> points, Sides& least_found, Sides& most_found) {
     Sides least = least_found, most = most_found;  // stay in registers, since no point can be among them
-    std::size_t at = 0;
-    for (; at + kSide <= points.size(); at += kSide) {
+    const std::size_t last = points.size() - kSide;
+    for (std::size_t next = 0; next < points.size(); next += kSide) {
+        const std::size_t at = next < last ? next : last;  // some at the end are looked at twice
         for (std::size_t k = 0; k < kSide; ++k) {
             const float value = points[at + k];
             least[k] = value < least[k] ? value : least[k];
@@ -26,7 +27,6 @@ TUFTWAVE_BODY void look(std::span<const float> points, Sides& least_found, Sides
     }
     least_found = least;
     most_found = most;
-    looked = at;
 }
 
 }  // namespace
@@ -40,13 +40,8 @@ void Bounds::include(const Bounds& other) {
 
 Bounds bounds_of(std::span<const float> points) {
     Sides least, most;
-    for (std::size_t k = 0; k < kSide; ++k) least[k] = most[k] = points[k % 3];
-    std::size_t at = 0;
-    run_with<look>(widest_vectors(), points, least, most, at);
-    for (; at < points.size(); ++at) {
-        least[at % 3] = std::min(least[at % 3], points[at]);
-        most[at % 3] = std::max(most[at % 3], points[at]);
-    }
+    for (std::size_t k = 0; k < kSide; ++k) least[k] = most[k] = points[k % std::min(points.size(), kSide)];
+    if (points.size() > kSide) run_with<look>(widest_vectors(), points, least, most);
     Bounds bounds{{least[0], least[1], least[2]}, {most[0], most[1], most[2]}};
     for (std::size_t k = 3; k < kSide; k += 3)
         bounds.include({{least[k], least[k + 1], least[k + 2]}, {most[k], most[k + 1], most[k + 2]}});

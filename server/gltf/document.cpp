@@ -40,7 +40,12 @@ void write_base64(const unsigned char* from, std::size_t bytes, char* to) {
 
 }  // namespace
 
-Document::Document(const std::string& generator) : model_(std::make_unique<Model>()) { model_->generator = generator; }
+Document::Document(const std::string& generator) : model_(std::make_unique<Model>()) {
+    constexpr std::size_t kUsual = 8;  // views, and accessors of one mesh
+    model_->generator = generator;
+    model_->views.reserve(kUsual);
+    model_->accessors.reserve(kUsual);
+}
 
 Document::~Document() = default;
 
@@ -117,23 +122,13 @@ std::span<std::byte> Document::bytes(int accessor) {
 void Document::set_bounds(int accessor) {
     if (!model_->accessors[static_cast<std::size_t>(accessor)].is_bounded) return;
     const std::span<const float> values = data<float>(accessor);
-    const std::size_t width = width_of(model_->accessors[static_cast<std::size_t>(accessor)].shape);
-    Model::Bounded bounds{accessor, {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width)}, {}};
-    bounds.most = bounds.least;
-    for (std::size_t i = width; i < values.size(); ++i) {
-        const auto value = static_cast<double>(values[i]);
-        double& least = bounds.least[i % width];
-        double& most = bounds.most[i % width];
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    model_->bounds.push_back(std::move(bounds));
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    model_->bounds.push_back({accessor, {{*least}, {*most}}});
 }
 
 void Document::set_bounds(int accessor, const Bounds& bounds) {
     if (!model_->accessors[static_cast<std::size_t>(accessor)].is_bounded) return;
-    model_->bounds.push_back(
-        {accessor, {bounds.least.begin(), bounds.least.end()}, {bounds.most.begin(), bounds.most.end()}});
+    model_->bounds.push_back({accessor, bounds});
 }
 
 File Document::write(Container container) { return container == Container::kGlb ? write_glb() : write_gltf(); }

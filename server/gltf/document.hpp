@@ -94,9 +94,9 @@ class Document {
         const std::span<std::byte> raw = bytes(accessor);
         return {reinterpret_cast<T*>(raw.data()), raw.size() / sizeof(T)};
     }
-    /// Writes the exact bounds of an accessor that is to have some, from its data, which must be float32.
-    void set_bounds(int accessor);
+    /// Says the bounds of an accessor, if it is to have some; of one of single float32 numbers, they are found.
     void set_bounds(int accessor, const Bounds& bounds);
+    void set_bounds(int accessor);
 
     /// The file. @param container  as given to allocate()
     File write(Container container);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace tuftwave::server::gltf {
@@ -76,16 +77,17 @@ void write_accessors(const Model& model, JsonText& to) {
     std::size_t at = 0;
     write_list(to, "accessors", model.accessors, [&](const Document::Accessor& accessor) {
         const Model::Bounded* const bounded = bounds[at++];
-        to.key("bufferView").number(accessor.view);
-        if (accessor.offset != 0) to.key("byteOffset").number(accessor.offset);
-        to.key("componentType").number(static_cast<int>(accessor.component));
-        to.key("count").number(accessor.count);
+        to.raw(R"("bufferView":)").number(accessor.view);
+        if (accessor.offset != 0) to.raw(R"(,"byteOffset":)").number(accessor.offset);
+        to.raw(R"(,"componentType":)").number(static_cast<int>(accessor.component));
+        to.raw(R"(,"count":)").number(accessor.count);
         if (bounded != nullptr) {
-            write_numbers(to.key("max"), bounded->most);
-            write_numbers(to.key("min"), bounded->least);
+            const std::size_t width = width_of(accessor.shape);
+            write_numbers(to.raw(R"(,"max":)"), std::span(bounded->box.most).first(width));
+            write_numbers(to.raw(R"(,"min":)"), std::span(bounded->box.least).first(width));
         }
-        if (accessor.is_normalized) to.key("normalized").raw("true");
-        write_shape(accessor.shape, to.key("type"));
+        if (accessor.is_normalized) to.raw(R"(,"normalized":true)");
+        write_shape(accessor.shape, to.raw(R"(,"type":)"));
     });
 }
 
@@ -108,21 +110,24 @@ void write_animations(const Model& model, JsonText& to) {
 }
 
 void write_packed(const Model::Packed& packed, JsonText& to) {
-    to.key("extensions").open('{').key("EXT_meshopt_compression").open('{');
+    to.raw(R"(,"extensions":)").open('{').key("EXT_meshopt_compression").open('{');
     to.key("buffer").number(0).key("byteLength").number(packed.bytes).key("byteOffset").number(packed.offset);
     to.key("byteStride").number(packed.stride).key("count").number(packed.count).key("mode");
     to.raw(packed.mode == Model::Packed::Mode::kTriangles ? "\"TRIANGLES\"" : "\"ATTRIBUTES\"").close('}').close('}');
 }
 
 void write_views(const Model& model, JsonText& to) {
-    constexpr int kAttributes = 34962, kIndices = 34963;
     write_list(to, "bufferViews", model.views, [&](const Model::View& view) {
-        to.key("buffer").number(view.packed ? 1 : 0).key("byteLength").number(view.bytes);
-        if (view.offset > 0) to.key("byteOffset").number(view.offset);
-        if (view.stride > 0) to.key("byteStride").number(view.stride);
+        to.raw(R"("buffer":)").raw(view.packed ? "1" : "0").raw(R"(,"byteLength":)").number(view.bytes);
+        if (view.offset > 0) to.raw(R"(,"byteOffset":)").number(view.offset);
+        if (view.stride > 0) to.raw(R"(,"byteStride":)").number(view.stride);
         if (view.packed) write_packed(*view.packed, to);
         if (view.purpose == Document::Purpose::kData) return;
-        to.key("target").number(view.purpose == Document::Purpose::kAttribute ? kAttributes : kIndices);
+        if (view.purpose == Document::Purpose::kAttribute) {
+            to.raw(R"(,"target":34962)");
+        } else {
+            to.raw(R"(,"target":34963)");
+        }
     });
 }
 

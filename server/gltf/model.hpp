@@ -27,7 +27,7 @@ struct Document::Model {
     };
     struct Bounded {
         int accessor;
-        std::vector<double> least, most;
+        Bounds box;  ///< of single numbers the first of each corner
     };
     /// Where in `texts` one of them stands.
     struct Text {

@@ -93,17 +93,12 @@ class Quantizer {
     }
 
     Grid grid_around(int positions) {
-        Model::Bounded& bounds = *boxes_[place(positions)];
-        Bounds box{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            box.least[axis] = static_cast<float>(bounds.least[axis]);
-            box.most[axis] = static_cast<float>(bounds.most[axis]);
-        }
+        Bounds& box = boxes_[place(positions)]->box;
         const Grid grid = grid_of(box);
         for (auto* const corner : {&box.least, &box.most}) {
             std::array<std::uint16_t, 4> packed{};
             pack_positions(*corner, grid, packed);
-            (corner == &box.least ? bounds.least : bounds.most).assign(packed.begin(), packed.begin() + 3);
+            std::copy_n(packed.begin(), corner->size(), corner->begin());
         }
         return grid;
     }

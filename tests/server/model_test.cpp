@@ -22,7 +22,7 @@ TEST(Model, WritesKeysInAlphabeticalOrderAndLeavesOutWhatIsNotSaid) {
     model.bytes = 8;
     model.views = {{Document::Purpose::kAttribute, 0, 4, 4}, {Document::Purpose::kData, 4, 4, 0}};
     model.accessors = {{0, 0, 1}, {1, 4, 1, Document::Component::kU16, Document::Shape::kVec4}};
-    model.bounds = {{1, {0.5}, {1.5}}};
+    model.bounds = {{0, {{0.5F}, {1.5F}}}};
     model.materials = {{"white", {1, 1, 1}}, {"red", {1, 0, 0}}};
     model.meshes = {{"m", {0, 1, 2, 3, {}, 5, 6}}};
     model.nodes = {{{}, model.add_members({"n", std::array{0.0, 1.0, 2.0}, {}, 0, 0, 2.0}), model.add_text("{}")},
@@ -31,8 +31,8 @@ TEST(Model, WritesKeysInAlphabeticalOrderAndLeavesOutWhatIsNotSaid) {
     model.skins = {{{0, 1}, 4, 0}};
     EXPECT_EQ(
         text_of(model),
-        R"({"accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"SCALAR"},)"
-        R"({"bufferView":1,"byteOffset":4,"componentType":5123,"count":1,"max":[1.5],"min":[0.5],"type":"VEC4"}],)"
+        R"({"accessors":[{"bufferView":0,"componentType":5126,"count":1,"max":[1.5],"min":[0.5],"type":"SCALAR"},)"
+        R"({"bufferView":1,"byteOffset":4,"componentType":5123,"count":1,"type":"VEC4"}],)"
         R"("asset":{"generator":"me","version":"2.0"},)"
         R"("bufferViews":[{"buffer":0,"byteLength":4,"byteStride":4,"target":34962},)"
         R"({"buffer":0,"byteLength":4,"byteOffset":4}],"buffers":[{"byteLength":8}],)"
@@ -62,10 +62,11 @@ TEST(Model, KnowsHowLongItsTextIsAtMost) {
     for (int i = 0; i < 50; ++i) {
         model.views.push_back({Document::Purpose::kAttribute, kLargest, kLargest, kLargest});
         EXPECT_TRUE(is_within()) << "views";
-        model.accessors.push_back({kLongest, kLargest, kLargest, Document::Component::kF32, Document::Shape::kScalar});
+        model.accessors.push_back({kLongest, kLargest, kLargest, Document::Component::kF32, Document::Shape::kVec3});
         EXPECT_TRUE(is_within()) << "accessors";
         model.accessors.back().is_bounded = true;
-        model.bounds.push_back({static_cast<int>(i), {kDigits, kDigits, kDigits}, {kDigits, kDigits, kDigits}});
+        constexpr auto kFewer = static_cast<float>(-1.2345678901234567e-30);  // as many digits, but for the exponent
+        model.bounds.push_back({i, {{kFewer, kFewer, kFewer}, {kFewer, kFewer, kFewer}}});
         EXPECT_TRUE(is_within()) << "bounds";
         model.materials.push_back({name, {kDigits, kDigits, kDigits}});
         EXPECT_TRUE(is_within()) << "materials";

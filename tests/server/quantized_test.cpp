@@ -47,7 +47,7 @@ class Slope {
             const std::array<float, 3> at{2 + 2 * share, -share, 0.5F};
             std::ranges::copy(at, document_.data<float>(positions_).begin() + static_cast<std::ptrdiff_t>(3 * i));
         }
-        document_.set_bounds(positions_);
+        document_.set_bounds(positions_, bounds_of(document_.data<float>(positions_)));
         if (joints == 0) return;
         std::ranges::fill(document_.bytes(*bones), std::byte{});
         std::ranges::fill(document_.data<float>(*weights), 0.25F);
@@ -95,8 +95,8 @@ TEST(Quantized, ANodeCarriesPositionsBack) {
     const Document::Accessor& positions = slope.model().accessors[0];
     EXPECT_EQ(positions.component, Component::kU16);
     EXPECT_TRUE(positions.is_normalized);
-    EXPECT_EQ(slope.model().bounds[0].least, (std::vector<double>{0, 0, 0}));
-    EXPECT_EQ(slope.model().bounds[0].most, (std::vector<double>{65'535, 32'768, 0}));
+    EXPECT_EQ(slope.model().bounds[0].box.least, (std::array<float, 3>{0, 0, 0}));
+    EXPECT_EQ(slope.model().bounds[0].box.most, (std::array<float, 3>{65'535, 32'768, 0}));
 }
 
 TEST(Quantized, ASkinCarriesPositionsBackAndItsNodeStaysWhereItIs) {
