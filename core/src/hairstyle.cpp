@@ -1,6 +1,7 @@
 #include "tuftwave/hairstyle.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "hair_fills.hpp"
@@ -91,12 +92,13 @@ Check plan_one_tuft(const Tuft& tuft, const Hairstyle& hairstyle, const Limits& 
 Check plan_some_tufts(const Hairstyle& hairstyle, const Tufts& tufts, std::size_t from, std::size_t to,
                       const Limits& limits, const ForEach& for_each, const std::stop_token& stop, HairPlan& plan) {
     std::vector<Check> wrong(to - from);
-    for_each(to - from, [&](std::size_t job) {
+    const auto plan_one = [&](std::size_t job) {
         if (stop.stop_requested()) return;
         const std::size_t i = from + job;
         if (Check found = plan_one_tuft(*tufts[i], hairstyle, limits, plan.tufts[i], plan.chains[i]))
             wrong[job] = at_tuft(hairstyle, plan, i, *std::move(found));
-    });
+    };
+    for_each(to - from, std::cref(plan_one));  // which needs no memory of its own
     if (stop.stop_requested()) return kCancelled;
     for (Check& error : wrong) {
         if (error) return std::move(error);

@@ -1,6 +1,7 @@
 #include "gltf/hair_meshes.hpp"
 
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "gltf/bounds.hpp"
@@ -125,6 +126,7 @@ void HairMeshes::add_mesh_node(const std::string& name, std::optional<int> skin,
 
 std::vector<HairMeshes::Start> HairMeshes::tuft_starts() const {
     std::vector<Start> starts;
+    starts.reserve(plan_.tufts.size());
     Start next{};
     for (const MeshPlan& tuft : plan_.tufts) {
         starts.push_back(next);
@@ -142,9 +144,10 @@ std::vector<HairMeshes::Start> HairMeshes::tuft_starts() const {
 void HairMeshes::fill(const ForEach& for_each, const std::stop_token& stop) {
     const std::vector<Start> starts = tuft_starts();
     std::vector<Bounds> bounds(starts.size());
-    for_each(starts.size(), [&](std::size_t i) {
+    const auto fill_one = [&](std::size_t i) {
         if (!stop.stop_requested()) bounds[i] = fill_tuft(i, starts[i]);
-    });
+    };
+    for_each(starts.size(), std::cref(fill_one));  // which needs no memory of its own
     for (const auto& [tuft, accessor] : index_owners_) fill_indices(*tuft, accessor, 0, 0);
     set_bounds(starts, bounds);
 }
