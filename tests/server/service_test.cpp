@@ -90,11 +90,11 @@ TEST_F(ServiceTest, GivesTheSameBytesOnAnyNumberOfWorkers) {
         body["tufts"].back()["points"][1][0] = 0.001 * i;
     }
     const Request request = json_post("/v1/hairstyles", body.dump());
-    const std::string expected = ask(service, request).body;
+    const Response expected = ask(service, request);
     for (const int workers : {2, 4, 16}) {
         Pool many(workers, 4);
         Service other(config, access, many, log);
-        EXPECT_EQ(ask(other, request).body, expected) << workers;
+        EXPECT_EQ(ask(other, request).content(), expected.content()) << workers;
     }
 }
 
@@ -116,7 +116,7 @@ TEST_F(ServiceTest, SmallWorkNeedsNoWorkerAndGivesTheSameBytes) {
     ASSERT_TRUE(pool.submit([] {}));
     const Response response = ask(service, small);
     EXPECT_EQ(response.status, 200);
-    EXPECT_EQ(response.body, whole.body);
+    EXPECT_EQ(response.content(), whole.content());
     EXPECT_EQ(ask(service, json_post("/v1/schedules", "{}")).status, 200);
 }
 
