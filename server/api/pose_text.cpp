@@ -5,13 +5,15 @@
 
 #include "api/float_text.hpp"
 #include "memory/buffers.hpp"
+#include "memory/heap.hpp"
 
 namespace tuftwave::server {
 namespace {
 
 constexpr std::size_t kMostDigits = 18;  // bytes of a number and the comma behind it
 constexpr std::size_t kPoseBytes = 11 * kMostDigits + 3 * 3;
-constexpr std::size_t kChainBytes = 64;  // of keys and brackets
+constexpr std::size_t kChainBytes = 64;                // of keys and brackets
+constexpr std::size_t kLargeBytes = 32 * 1024 * 1024;  // beside which looking through the heap takes no time
 
 template <std::size_t width>
 void append_list(std::string& out, std::string_view key, std::span<const NodePose> poses,
@@ -90,6 +92,7 @@ std::string text_with_poses(const std::string& answer, std::span<const ChainPose
     }
     most += pictures * kChainBytes;
     memory::free_idle_buffers(std::chrono::seconds(0));  // what waits to be used again must not come on top of this
+    if (most > kLargeBytes) memory::give_back_free_heap(std::chrono::seconds(0));  // nor what reading has left between
     std::string text;
     text.reserve(most);  // room that stays unused costs nothing, growing costs a copy
     text.append(answer, 0, at).append("\"pictures\":[");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "memory/buffers.hpp"
+#include "memory/heap.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -45,6 +46,7 @@ void Listener::let_in() {
             }
         });
         memory::free_idle_buffers();
+        memory::give_back_free_heap();
     }
     // Whoever has knocked is still let in: a connection that the system has taken would else be reset.
     while (accept_one()) {

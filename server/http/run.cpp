@@ -1,6 +1,5 @@
 #include "http/run.hpp"
 
-#include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -19,6 +18,7 @@
 #include "exec/pool.hpp"
 #include "http/listener.hpp"
 #include "log/log.hpp"
+#include "memory/heap.hpp"
 #include "service/service.hpp"
 #include "version.hpp"
 
@@ -130,8 +130,7 @@ bool allow_descriptors(const rlim_t count) {
 
 int run(const Config& config) {
     const EndSignals signals;
-    // What is larger goes back to the system when it is freed. By itself the C library learns to keep up to 64 MiB.
-    ::mallopt(M_MMAP_THRESHOLD, 1024 * 1024);
+    memory::set_up_heap();
     const auto opened = Access::open(config);
     if (const auto* error = std::get_if<UsageError>(&opened)) {
         std::fprintf(stderr, "tuftwave-server: %s\n", error->message.c_str());

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "memory/heap.hpp"
 #include "work.hpp"
 
 int main(int count, char** arguments) {
@@ -16,6 +17,7 @@ int main(int count, char** arguments) {
         {"fill", measure_fill},   {"packing", measure_packing}, {"meshopt", measure_meshopt},
     };
     if (count < 3) return std::fputs("usage: tuftwave_bench_ours FOLDER WHAT...\n", stderr), 2;
+    tuftwave::server::memory::set_up_heap();  // as the service does
     try {
         const Workloads workloads = read_workloads(arguments[1]);
         for (int i = 2; i < count; ++i) all.at(arguments[i])(workloads);
