@@ -8,11 +8,13 @@
 namespace tuftwave::server {
 namespace {
 
+constexpr std::size_t kUsualBytes = 512;
+
 struct Row {
     ProblemCode code;
     const char* slug;
     int status;
-    const char* sentence;
+    const char* sentence;  // without what JSON would escape
 };
 
 /// The one table of errors; openapi.yaml lists the same slugs.
@@ -112,6 +114,10 @@ nlohmann::ordered_json to_json(const FieldProblem& field) {
     return json;
 }
 
+std::string dumped(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace
 
 const char* slug(ProblemCode code) { return row(code).slug; }
@@ -138,14 +144,25 @@ Problem to_problem(const Error& error, const std::string& place) {
 
 Response to_response(const Problem& problem, const std::string& request_id) {
     const Row& known = row(problem.code);
-    nlohmann::ordered_json json{{"type", std::string("urn:tuftwave:problem:") + known.slug},
-                                {"title", known.sentence},
-                                {"status", known.status},
-                                {"detail", problem.detail.empty() ? known.sentence : problem.detail},
-                                {"request_id", request_id}};
-    for (const FieldProblem& field : problem.fields) json["errors"].push_back(to_json(field));
-    Response response{known.status, "application/problem+json",
-                      json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), problem.headers};
+    // Piece by piece: an overloaded server writes thousands in a second, most of them without details.
+    std::string body;
+    body.reserve(kUsualBytes);
+    body.append(R"({"type":"urn:tuftwave:problem:)").append(known.slug);
+    body.append(R"(","title":")").append(known.sentence);
+    body.append(R"(","status":)").append(std::to_string(known.status));
+    if (problem.detail.empty()) {
+        body.append(R"(,"detail":")").append(known.sentence).append(R"(")");
+    } else {
+        body.append(R"(,"detail":)").append(dumped(problem.detail));
+    }
+    body.append(R"(,"request_id":")").append(request_id).append(R"(")");
+    if (!problem.fields.empty()) {
+        auto errors = nlohmann::ordered_json::array();
+        for (const FieldProblem& field : problem.fields) errors.push_back(to_json(field));
+        body.append(R"(,"errors":)").append(dumped(errors));
+    }
+    body += '}';
+    Response response{known.status, "application/problem+json", std::move(body), problem.headers};
     response.headers.emplace_back("Cache-Control", "no-store");
     return response;
 }

@@ -79,7 +79,7 @@ Problem to_problem(const Error& error, const std::string& place = "");
 const char* slug(ProblemCode code);
 int status(ProblemCode code);
 
-/// The problem as application/problem+json (RFC 9457).
+/// The problem as application/problem+json (RFC 9457). @param request_id  without what JSON would escape
 Response to_response(const Problem& problem, const std::string& request_id);
 
 }  // namespace tuftwave::server

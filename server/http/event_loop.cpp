@@ -155,7 +155,7 @@ class EventLoop::Connections {
                 case RequestReader::Step::kWantsMore:
                     return count_body(connection);
                 case RequestReader::Step::kHead:
-                    is_open = on_head(connection, !bytes.empty());
+                    is_open = on_head(connection, bytes);
                     break;
                 case RequestReader::Step::kRequest:
                     hand_over(connection);
@@ -169,13 +169,16 @@ class EventLoop::Connections {
         return true;
     }
 
+    /// @param bytes  what came behind the head; shortened by a body that is not wanted
     /// @return  false if the connection is closed
-    bool on_head(Connection& connection, const bool has_more) {
+    bool on_head(Connection& connection, std::string_view& bytes) {
         const RequestHead& head = connection.reader.head();
-        std::variant<Admission, Response> verdict = premises_.answerer.admit(head.request);
+        const bool has_more = !bytes.empty(), is_whole = !head.is_chunked && head.length <= bytes.size();
+        std::variant<Admission, Response> verdict = premises_.answerer.admit(head.request, is_whole);
         if (auto* early = std::get_if<Response>(&verdict)) {
             const std::string method = head.request.method;
-            const bool closes = head.has_body() || head.wants_close;
+            const bool closes = !is_whole || head.wants_close;
+            if (is_whole) bytes.remove_prefix(static_cast<std::size_t>(head.length));
             connection.reader.skip_body();
             return answer(connection, method, std::move(*early), closes);
         }

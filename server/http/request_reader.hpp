@@ -29,7 +29,8 @@ class RequestReader {
     /// Reads the body on. @param most  bytes that it may have, else it is refused with 413
     void allow_body(std::size_t most);
 
-    /// A request without a body is over with its head. The reader is then at the next one.
+    /// The request is over with its head, since it has no body, or whoever reads takes that himself. The reader is then
+    /// at the next one.
     void skip_body() { *this = {}; }
 
     /// The complete request. The reader is then at the next one.

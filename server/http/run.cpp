@@ -144,12 +144,13 @@ int run(const Config& config) {
     Pool pool(worker_count(config), static_cast<std::size_t>(config.queue),
               std::chrono::duration<double>(config.queue_seconds));
     Service service(config, access, pool, log);
-    Door front(public_options(config), {[&](const Request& head) { return service.admit(head); },
-                                        [&](const int status) { return service.refuse(status); }});
+    Door front(public_options(config),
+               {[&](const Request& head, const bool is_whole) { return service.admit(head, is_whole); },
+                [&](const int status) { return service.refuse(status); }});
     const Admission ask_admin =
         at_once([&](const Request& request) { return service.handle_admin(request, front.traffic()); });
     Door admin({config.admin_host, config.admin_port, kAdminConnections},
-               {[&](const Request&) { return ask_admin; }, Service::admin_problem});
+               {[&](const Request&, bool) { return ask_admin; }, Service::admin_problem});
     if (!front.bind() || !admin.bind()) return 1;
     front.open();
     admin.open();

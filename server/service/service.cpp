@@ -61,7 +61,7 @@ Service::Service(const Config& config, Access& access, Pool& pool, Log& log)
       deadlines_(std::chrono::duration<double>(config.deadline_seconds)),
       next_id_(static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
-std::variant<Admission, Response> Service::admit(const Request& head) {
+std::variant<Admission, Response> Service::admit(const Request& head, const bool is_whole) {
     const auto refused = [&](Answer answer) { return conclude(head, std::move(answer), {}); };
     if (std::optional<Response> preflight = access_.preflight(head)) return refused(*std::move(preflight));
     if (head.method == "OPTIONS") {
@@ -76,7 +76,9 @@ std::variant<Admission, Response> Service::admit(const Request& head) {
     const Visitor visitor = std::get<Visitor>(admitted);
     const std::uint64_t bytes = visitor.paid_bytes;  // announced; 0 for a chunked body
     if (bytes > body_limit(head.path)) return refused(Problem{ProblemCode::kTooLarge, "", {}, {}});
-    if (route.computes && bytes > kSmallBodyBytes && pool_.stats().is_full) return refused(busy());
+    const bool is_cheaper_now = is_whole || bytes > kSmallBodyBytes;  // than to read on and keep the connection
+    if (route.computes && is_cheaper_now && !may_be_small(route, bytes) && pool_.stats().is_full)
+        return conclude(head, busy(), {std::string(route.path), is_whole ? bytes : 0});
     return Admission{body_limit(head.path),
                      [this, &route, visitor](Request request, std::stop_source stop, const Reply& reply) {
                          answer(route, visitor, std::move(request), std::move(stop), reply);
@@ -87,7 +89,7 @@ void Service::answer(const Route& route, const Visitor& visitor, Request request
                      const Reply& reply) {
     std::optional<Response> made;
     if (!route.computes) made = answer_at_once(route, visitor, request, limits_);
-    if (may_be_small(route, request)) made = answer_at_once(route, visitor, request, small_limits_);
+    if (may_be_small(route, request.body.size())) made = answer_at_once(route, visitor, request, small_limits_);
     if (made) return reply(*std::move(made));
     compute(route, visitor, std::move(request), std::move(stop), reply);
 }

@@ -29,8 +29,8 @@ class Service {
     Service(const Config& config, Access& access, Pool& pool, Log& log);
 
     /// Looks at the head of a public request. What its body cannot change is answered at once: a wrong path or method,
-    /// no key, a body over the limit, OPTIONS, no room for the work.
-    std::variant<Admission, Response> admit(const Request& head);
+    /// no key, a body over the limit, OPTIONS, no room for the work. @param is_whole  the body has come, too
+    std::variant<Admission, Response> admit(const Request& head, bool is_whole);
 
     /// Answers /livez, /readyz and /metrics, at once whatever the load.
     Response handle_admin(const Request& request, const Traffic& traffic) const;

@@ -14,8 +14,8 @@ constexpr std::size_t kMostSheetFrames = 240;
 
 }  // namespace
 
-bool may_be_small(const Route& route, const Request& request) {
-    return route.may_be_small && request.body.size() <= kMostBodyBytes;
+bool may_be_small(const Route& route, const std::size_t body_bytes) {
+    return route.may_be_small && body_bytes <= kMostBodyBytes;
 }
 
 Limits small_limits(const Limits& limits) {

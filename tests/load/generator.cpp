@@ -198,6 +198,7 @@ class Generator {
             if (count < 0 && errno == EAGAIN) return;
             if (count <= 0) return lose(connection);
             if (!take(connection, {buffer_.data(), static_cast<std::size_t>(count)})) return;
+            if (static_cast<std::size_t>(count) < buffer_.size()) return;  // there is no more
         }
     }
 

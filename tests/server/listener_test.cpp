@@ -138,15 +138,26 @@ TEST(Listener, ChunkedBodyIsTakenWithinTheLimitAndRefusedOverIt) {
     EXPECT_TRUE(is_problem(client.hear_all(), 413));
 }
 
-TEST(Listener, RequestThatIsAnsweredOnItsHeadKeepsTheConnectionIfItHasNoBody) {
+TEST(Listener, RequestThatIsAnsweredOnItsHeadKeepsTheConnectionIfAllOfItHasCome) {
     const Served served;
+    const std::string smuggled = "GET /smuggled HTTP/1.1\r\nHost: h\r\n\r\n";
     Client client(served.port());
-    client.say(head("GET /early") + head("GET /x"));
+    client.say(head("GET /early") + post("/early", smuggled) + post("/x", "next"));
     EXPECT_TRUE(is_problem(client.hear(), 404));
-    EXPECT_TRUE(client.hear().ends_with("<>"));
-    Client sender(served.port());
-    sender.say(post("/early", "GET /smuggled HTTP/1.1\r\nHost: h\r\n\r\n"));
-    EXPECT_TRUE(is_problem(sender.hear_all(), 404)) << "and its body is not the next request";
+    EXPECT_TRUE(is_problem(client.hear(), 404));
+    EXPECT_TRUE(client.hear().ends_with("<next>")) << "and no body is the next request";
+}
+
+TEST(Listener, RequestThatIsAnsweredOnItsHeadEndsTheConnectionIfItsBodyIsStillToCome) {
+    const Served served;
+    const std::string length = "Content-Length: 100\r\n", chunked = "Transfer-Encoding: chunked\r\n";
+    for (const std::string& body : {length + "\r\nhalf of it", chunked + "\r\n0\r\n\r\n"}) {
+        Client client(served.port());
+        client.say("POST /early HTTP/1.1\r\nHost: h\r\n" + body);
+        const std::string text = client.hear_all();
+        EXPECT_TRUE(is_problem(text, 404)) << text;
+        EXPECT_TRUE(has(text, "Connection: close\r\n")) << text;
+    }
 }
 
 TEST(Listener, FormAndMultipartBodiesArePlainBytes) {
@@ -270,7 +281,7 @@ struct Later {
     Reply reply;
     Answerer answerer() {
         Answerer made = answering(echo);
-        made.admit = [this](const Request&) {
+        made.admit = [this](const Request&, bool) {
             return Admission{kBodyLimit,
                              [this](const Request&, const std::stop_source& source, const Reply& its_reply) {
                                  stop = source.get_token();

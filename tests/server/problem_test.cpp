@@ -58,6 +58,20 @@ TEST(Problem, SurvivesHalfACharacter) {
     EXPECT_EQ(body_of(fields_problem({field}))["errors"][0]["value"], "\xef\xbf\xbd");
 }
 
+TEST(Problem, IsOneObjectWithItsMembersInOrder) {
+    EXPECT_EQ(to_response({ProblemCode::kBusy, "", {}, {}}, "id").body,
+              R"({"type":"urn:tuftwave:problem:busy","title":"The server is full; try again shortly.","status":503,)"
+              R"("detail":"The server is full; try again shortly.","request_id":"id"})");
+    for (int code = 0; code <= static_cast<int>(ProblemCode::kInternal); ++code) {
+        const auto its = static_cast<ProblemCode>(code);
+        const nlohmann::json plain = body_of({its, "", {}, {}}), detailed = body_of({its, "a \"\n", {{}, {}}, {}});
+        EXPECT_EQ(plain["title"], plain["detail"]);
+        EXPECT_FALSE(plain.contains("errors"));
+        EXPECT_EQ(detailed["detail"], "a \"\n");
+        EXPECT_EQ(detailed["errors"].size(), 2u);
+    }
+}
+
 TEST(Problem, CarriesItsHeaders) {
     const Response response = to_response({ProblemCode::kBusy, "", {}, {{"Retry-After", "1"}}}, "id");
     EXPECT_EQ(response.status, 503);

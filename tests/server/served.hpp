@@ -37,7 +37,7 @@ inline Response problem(const int status) {
 inline Answerer answering(Handle handle) {
     const Admission admission{kBodyLimit, [handle = std::move(handle)](const Request& request, const std::stop_source&,
                                                                        const Reply& reply) { reply(handle(request)); }};
-    return {[admission](const Request& head) -> std::variant<Admission, Response> {
+    return {[admission](const Request& head, bool) -> std::variant<Admission, Response> {
                 if (head.path == "/early") return problem(404);
                 return admission;
             },

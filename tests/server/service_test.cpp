@@ -41,7 +41,7 @@ nlohmann::json small_tufts() {
 Response ask(Service& service, const Request& request, std::stop_source stop = {}) {
     Request head = request;
     head.body.clear();
-    auto verdict = service.admit(head);
+    auto verdict = service.admit(head, false);
     if (auto* early = std::get_if<Response>(&verdict)) return std::move(*early);
     const auto answered = std::make_shared<std::promise<Response>>();  // shared: it is still used when get() returns
     std::get<Admission>(verdict).answer(request, std::move(stop),
@@ -164,11 +164,24 @@ TEST_F(ServiceTest, LargeBodyIsNotReadWhileThereIsNoRoom) {
     const BusyWorker busy(pool);
     ASSERT_TRUE(pool.submit([] {}));
     const auto verdict = [&](const std::string& length) {
-        return service.admit({"POST", "/v1/tufts", {}, {{"content-length", length}}, ""});
+        return service.admit({"POST", "/v1/tufts", {}, {{"content-length", length}}, ""}, false);
     };
     EXPECT_TRUE(std::holds_alternative<Admission>(verdict("65536")));
     ASSERT_TRUE(std::holds_alternative<Response>(verdict("1000000")));
     EXPECT_EQ(std::get<Response>(verdict("1000000")).status, 503);
+}
+
+TEST_F(ServiceTest, ABodyThatHasComeIsRefusedOnItsHeadWhileThereIsNoRoom) {
+    const auto status_of = [&](const std::string& path) {
+        const auto verdict = service.admit({"POST", path, {}, {{"content-length", "1000"}}, ""}, true);
+        return std::holds_alternative<Response>(verdict) ? std::get<Response>(verdict).status : 0;
+    };
+    EXPECT_EQ(status_of("/v1/hairstyles"), 0);
+    const BusyWorker busy(pool);
+    ASSERT_TRUE(pool.submit([] {}));
+    EXPECT_EQ(status_of("/v1/hairstyles"), 503);
+    EXPECT_EQ(status_of("/v1/tufts"), 0) << "which may need no worker";
+    EXPECT_TRUE(admin("/metrics").find(R"(route="/v1/hairstyles",method="POST",code="503"} 1)") != std::string::npos);
 }
 
 TEST_F(ServiceTest, IsReadyUntilItDrains) {
