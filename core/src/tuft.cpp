@@ -11,9 +11,7 @@ namespace {
 
 Check check_stroke(const Tuft& tuft, const Head& head, const Limits& limits) {
     if (Check wrong = check_count(tuft.points.size(), 2, limits.points_per_tuft, "/points")) return wrong;
-    for (std::size_t i = 0; i < tuft.points.size(); ++i) {
-        if (Check wrong = check_position(tuft.points[i], limits, "/points/" + std::to_string(i))) return wrong;
-    }
+    if (Check wrong = check_positions(tuft.points, limits, "/points")) return wrong;
     if (length(tuft.points.front() - head.center) < kShortestDirection)
         return Error{ErrorCode::kDegenerate,
                      "/points/0",
