@@ -71,7 +71,7 @@ struct Curve::FirstSamples {
     Rows constant, linear, quadratic;                 // of the velocities
     std::array<Rows, kHalves> tangents;               // at the samples and halfway between; not finite at rest
     alignas(64) std::array<Row, kHalves> speeds;      // likewise
-    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; of the first segment's not known
+    alignas(64) std::array<Row, kHalves> turns;       // from the one before, radians; not of the very first
     alignas(64) std::array<Row, kFirstSamples> arcs;  // from sample to sample, metres
 
     TUFTWAVE_BODY static void take(FirstSamples& s, std::size_t padded) {

@@ -19,10 +19,8 @@ namespace {
 constexpr double kLeastAdvance = 0.1;
 /// How quickly a cut fades along the centre line: metres of cut per metre of length.
 constexpr double kFadeSlope = 1.0;
-/// A tuft that leaves the scalp at right angles has fewer.
-constexpr std::size_t kUsualFolds = 16;
-/// Around one bend there are fewer.
-constexpr std::size_t kUsualRings = 24;
+/// A tuft that leaves the scalp at right angles has fewer; and rings around them, as far as a cut fades.
+constexpr std::size_t kUsualFolds = 16, kUsualRings = 24;
 /// Rings that a bridge looks ahead at most, which bounds the work.
 constexpr std::size_t kBridgedRings = 64;
 

@@ -46,12 +46,14 @@ const std::string& tag_of_constant(const std::string_view constant) {
 }  // namespace
 
 Response with_entity_tag(Response response, const Request& request) {
-    const std::string tag = response.constant.empty() ? entity_tag(response.body) : tag_of_constant(response.constant);
+    const std::string tag =
+        response.constant.empty() ? entity_tag(response.content()) : tag_of_constant(response.constant);
     const std::string& if_none_match = request.header("if-none-match");
     response.headers.emplace_back("ETag", tag);
     if (if_none_match.find(tag) != std::string::npos || if_none_match == "*") {
         response.status = 304;
         response.body.clear();
+        response.first = 0;
         response.constant = {};
     }
     return response;

@@ -41,6 +41,16 @@ TEST(EntityTag, BytesOfTheProgramHaveTheTagOfTheirContent) {
     }
 }
 
+TEST(EntityTag, IsOfWhatIsSent) {
+    for (const std::string before : {"", "a", "whatever"}) {
+        const Response answer{200, "text/plain", before + "hair", {}, {}, before.size()};
+        const Response first = with_entity_tag(answer, {"GET", "/", {}, {}, ""});
+        EXPECT_EQ(first.headers.at(0).second, tag_of("hair"));
+        EXPECT_EQ(first.content(), "hair");
+        EXPECT_EQ(with_entity_tag(answer, {"GET", "/", {}, {{"if-none-match", tag_of("hair")}}, ""}).content(), "");
+    }
+}
+
 TEST(EntityTag, WhoHasItIsToldSo) {
     const std::string tag = tag_of("hair");
     for (const std::string& known : {tag, "\"other\", " + tag, std::string("*")}) {
