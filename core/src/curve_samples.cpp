@@ -100,18 +100,11 @@ struct Curve::FirstSamples {
     TUFTWAVE_BODY bezier::Velocity velocity(std::size_t k) const { return {constant[k], linear[k], quadratic[k]}; }
 };
 
-/// What is known of a curve up to its last sample; kept at hand, since what was just stored takes long to be read
-/// again.
-struct Curve::End {
-    Vec3 tangent;
-    double speed, turning;
-};
-
 void Curve::measure() {
     // Where two points are neighbouring doubles, the Bezier points between them coincide.
-    const auto [tangent, speed] = heading_at(0, 0, normalized(segments_[0].end - segments_[0].start));
-    samples_.push_back({0, 0, 0, speed, speed, 0, 0, {segments_[0].start, tangent, any_perpendicular(tangent)}});
-    End last{tangent, speed, 0};
+    Heading last = heading_at(0, 0, normalized(segments_[0].end - segments_[0].start));
+    samples_.push_back(
+        {0, 0, 0, last.speed, last.speed, 0, 0, {segments_[0].start, last.tangent, any_perpendicular(last.tangent)}});
     FirstSamples first;
     for (std::size_t from = 0; from < segments_.size(); from += FirstSamples::kMost) {
         const std::size_t count = std::min(FirstSamples::kMost, segments_.size() - from);
@@ -126,8 +119,11 @@ void Curve::measure() {
         for (std::size_t k = 0; k < count; ++k) measure(from + k, first, k, last);
     }
     find_unknown_arcs();
-    double along = 0;
-    for (Sample& sample : samples_) sample.along = along += sample.along;
+    double along = 0, turning = 0;  // so far each sample has no more than its own piece's
+    for (Sample& sample : samples_) {
+        sample.along = along += sample.along;
+        sample.turning = turning += sample.turning;
+    }
 }
 
 void Curve::find_unknown_arcs() {
@@ -154,15 +150,14 @@ void Curve::find_unknown_arcs() {
 }
 
 inline void Curve::add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn,
-                              End& last) {
+                              Heading& last) {
     const Segment& bezier = segments_[segment];
     const double from_speed = from > 0 ? last.speed : length(bezier.constant);
-    last = {end.tangent, end.speed, last.turning + turn};
-    samples_.push_back(
-        {segment, from, t, from_speed, end.speed, arc, last.turning, {bezier.point(t), end.tangent, {}}});
+    samples_.push_back({segment, from, t, from_speed, end.speed, arc, turn, {bezier.point(t), end.tangent, {}}});
+    last = end;
 }
 
-void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k, End& last) {
+void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t k, Heading& last) {
     for (std::size_t piece = 0; piece < kFirstSamples; ++piece) {
         const double from = static_cast<double>(piece) / kFirstSamples, t = from + 1.0 / kFirstSamples;
         const std::size_t half = 2 * piece, whole = half + 1;
@@ -181,7 +176,7 @@ void Curve::measure(std::size_t segment, const FirstSamples& first, std::size_t 
 }
 
 void Curve::sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
-                         int halvings, End& last) {
+                         int halvings, Heading& last) {
     const Vec3 start = last.tangent;
     const double turn = length(between.tangent - start) + length(end.tangent - between.tangent);
     if (turn > kSampleTurn && halvings < kDeepestHalving) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "elementary_bodies.hpp"
@@ -63,9 +64,10 @@ class RingChooser {
         : curve_(curve), tuft_(tuft), half_diameter_(diameter / 2), detail_(detail), vectors_(vectors) {}
 
     /// Halves pieces until all are fine; all that are equally long at once, since many places are found more quickly
-    /// than one. False when there would be more than `most` rings.
-    bool by_tolerance(std::size_t most) {
-        std::vector<Piece> pieces = first_pieces(), halves;
+    /// than one. Nothing when there would be more than `most` rings.
+    std::optional<Rings> by_tolerance(std::size_t most) const {
+        std::vector<Ring> kept;
+        std::vector<Piece> pieces = first_pieces(kept), halves;
         for (int halvings = 0; halvings < kDeepestHalving && !pieces.empty(); ++halvings) {
             const Rings quarters = quarters_of(pieces);
             halves.clear();
@@ -73,31 +75,30 @@ class RingChooser {
                 const auto& [from, middle, to] = pieces[i];
                 const Ring first = quarters[2 * i], last = quarters[2 * i + 1];
                 if (is_fine(pieces[i], first, last)) continue;
-                kept_.push_back(middle);
+                kept.push_back(middle);
                 halves.push_back({from, first, middle});
                 halves.push_back({middle, last, to});
             }
-            if (kept_.size() > most) return false;
+            if (kept.size() > most) return {};
             std::swap(pieces, halves);
         }
-        std::ranges::sort(kept_, {}, &Ring::along);
-        rings_ = Rings(kept_.size());
-        for (std::size_t i = 0; i < kept_.size(); ++i) rings_.set(i, kept_[i]);
-        return true;
+        std::ranges::sort(kept, {}, &Ring::along);
+        Rings rings(kept.size());
+        for (std::size_t i = 0; i < kept.size(); ++i) rings.set(i, kept[i]);
+        return rings;
     }
 
-    void by_count(int count) {
+    Rings by_count(int count) const {
         const bool flat_tip = tuft_.widest_at >= 100;
         const double whole = curve_.arc_length();
-        rings_ = Rings(static_cast<std::size_t>(count));
-        const std::span<double> along = rings_.along();
+        Rings rings(static_cast<std::size_t>(count));
+        const std::span<double> along = rings.along();
         run_with<divide_evenly>(vectors_, along, flat_tip ? count : count + 1);
-        curve_.at_parts(along, kTurnWorth * whole, along, rings_.frames());
+        curve_.at_parts(along, kTurnWorth * whole, along, rings.frames());
         run_with<divide>(vectors_, along, whole);
-        shape(rings_);
+        shape(rings);
+        return rings;
     }
-
-    Rings take() { return std::move(rings_); }
 
   private:
     Rings rings_at(std::span<const double> along) const {
@@ -121,16 +122,16 @@ class RingChooser {
         if (tuft_.roll_deg != 0 || tuft_.twist_deg != 0) run_with<turn>(vectors_, rings, tuft_);
     }
 
-    /// From the root to the widest place, and on to the tip. Keeps the ring where they meet.
-    std::vector<Piece> first_pieces() {
+    /// From the root to the widest place, and on to the tip. @param kept  gets the ring where they meet
+    std::vector<Piece> first_pieces(std::vector<Ring>& kept) const {
         const double widest = tuft_.widest_at / 100;
         if (widest >= 1) {
             const Rings rings = rings_at(std::array{0.0, 0.5, 1.0});
-            kept_.push_back(rings[2]);
+            kept.push_back(rings[2]);
             return {{rings[0], rings[1], rings[2]}};
         }
         const Rings rings = rings_at(std::array{0.0, widest / 2, widest, (widest + 1) / 2, 1.0});
-        kept_.push_back(rings[2]);
+        kept.push_back(rings[2]);
         return {{rings[0], rings[1], rings[2]}, {rings[2], rings[3], rings[4]}};
     }
 
@@ -175,29 +176,22 @@ class RingChooser {
     const double half_diameter_;
     const MeshDetail& detail_;
     const Vectors vectors_;
-    std::vector<Ring> kept_;  // of those looked at, in no order
-    Rings rings_;
 };
 
 }  // namespace
 
 Result<Rings> choose_rings(const Curve& curve, const Tuft& tuft, double diameter, const MeshDetail& detail,
                            const Limits& limits, Vectors vectors) {
-    RingChooser chooser(curve, tuft, diameter, detail, vectors);
-    if (detail.rings) {
-        chooser.by_count(*detail.rings);
-        return chooser.take();
-    }
-    if (!chooser.by_tolerance(limits.rings_per_tuft)) {
-        return Error{ErrorCode::kTooMany,
-                     "",
-                     detail.tolerance,
-                     "a tuft of at most " + std::to_string(limits.rings_per_tuft) +
-                         " rings; use a larger mesh.tolerance or set mesh.rings",
-                     {},
-                     {}};
-    }
-    return chooser.take();
+    const RingChooser chooser(curve, tuft, diameter, detail, vectors);
+    if (detail.rings) return chooser.by_count(*detail.rings);
+    if (std::optional<Rings> rings = chooser.by_tolerance(limits.rings_per_tuft)) return *std::move(rings);
+    return Error{ErrorCode::kTooMany,
+                 "",
+                 detail.tolerance,
+                 "a tuft of at most " + std::to_string(limits.rings_per_tuft) +
+                     " rings; use a larger mesh.tolerance or set mesh.rings",
+                 {},
+                 {}};
 }
 
 }  // namespace tuftwave

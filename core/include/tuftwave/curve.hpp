@@ -107,14 +107,15 @@ class Curve {
         CurveFrame frame;
     };
     struct FirstSamples;
-    struct End;
 
     void make_segments(std::span<const Vec3> points);
     void measure();
-    void measure(std::size_t segment, const FirstSamples& first, std::size_t k, End& last);
+    // `last` is the heading at the last sample, kept at hand: what was just stored takes long to be read again.
+    void measure(std::size_t segment, const FirstSamples& first, std::size_t k, Heading& last);
     void sample_up_to(std::size_t segment, double from, double t, const Heading& between, const Heading& end,
-                      int halvings, End& last);
-    void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn, End& last);
+                      int halvings, Heading& last);
+    void add_sample(std::size_t segment, double from, double t, const Heading& end, double arc, double turn,
+                    Heading& last);
     void find_unknown_arcs();
     void carry_normals();
     Heading heading_at(std::size_t segment, double t, const Vec3& otherwise) const;
