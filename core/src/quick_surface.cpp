@@ -29,7 +29,7 @@ struct Point {
 /// What makes the tuft's widest ring about 1, so that products of many sizes are floats.
 double scale_of(const MeshPlan& plan) {
     double widest = 0;
-    for (std::size_t i = 0; i < plan.rings.size(); ++i) widest = std::max(widest, plan.rings[i].half_width);
+    for (const double half_width : plan.rings.half_widths()) widest = std::max(widest, half_width);
     return widest > 0 ? 1 / widest : 0;
 }
 
@@ -249,8 +249,8 @@ class Surface {
         for (std::size_t k = 0; k < kRow; ++k)
             across[k] = static_cast<float>(static_cast<double>(k) / static_cast<double>(corners_.count()));
         RowWriter<2 * kRow> to(uvs, 2 * (corners_.count() + 1));
-        for (std::size_t i = 0; i < plan_.rings.size(); ++i) {
-            const auto along = static_cast<float>(plan_.rings[i].along);
+        for (const double ring : plan_.rings.along()) {
+            const auto along = static_cast<float>(ring);
             to.write([&](float* row) {
                 for (std::size_t k = 0; k < kRow; ++k) {
                     row[2 * k] = across[k];

@@ -24,7 +24,7 @@ class TuftMesher {
                                  out_.normals.subspan(3 * next_, 3 * count), out_.uvs.subspan(2 * next_, 2 * count)};
         for (const std::size_t ring : write_surface_quickly(plan_, vectors_, rings))
             write_left_normals(ring, rings.normals);
-        for (std::size_t ring = 0; ring < plan_.rings.size(); ++ring) finish_row(plan_.rings[ring].along);
+        for (const double along : plan_.rings.along()) finish_row(along);
         if (plan_.flat_tip) write_cap();
         write_apex(plan_.tip, plan_.tip_direction, 1);
     }

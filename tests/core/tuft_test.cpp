@@ -68,11 +68,8 @@ double extent(const MeshPlan& plan, const std::size_t ring, const double Vec3::*
 }
 
 std::size_t widest_ring(const MeshPlan& plan) {
-    std::size_t widest = 0;
-    for (std::size_t i = 1; i < plan.rings.size(); ++i) {
-        if (plan.rings[i].half_width > plan.rings[widest].half_width) widest = i;
-    }
-    return widest;
+    const auto widths = plan.rings.half_widths();
+    return static_cast<std::size_t>(std::ranges::max_element(widths) - widths.begin());
 }
 
 TEST(Tuft, EverySampleIsClosedOutwardAndFree) {
@@ -161,7 +158,7 @@ TEST(Tuft, WidestAtTheEndHasAFlatCap) {
     const MeshPlan plan = planned(tuft);
     const Mesh mesh = to_mesh(plan);
     ASSERT_TRUE(plan.flat_tip);
-    EXPECT_EQ(plan.rings[plan.rings.size() - 1].along, 1);
+    EXPECT_EQ(plan.rings.along().back(), 1);
     for (std::size_t vertex = plan.vertex_count() - 14; vertex < plan.vertex_count(); ++vertex) {  // 13 around, 1 apex
         EXPECT_TRUE(are_near(test::triple(mesh.normals, vertex), {1, 0, 0}, 1e-6)) << vertex;
         EXPECT_NEAR(mesh.positions[3 * vertex], 0.25, 1e-7) << vertex;
@@ -274,12 +271,9 @@ TEST(Tuft, EveryBoneHasARing) {
     tuft.joints = 64;
     const MeshPlan plan = planned(tuft, {.tolerance = 1, .rings = {}, .sides = 3});
     for (int bone = 0; bone < 64; ++bone) {
-        std::size_t rings = 0;
-        for (std::size_t i = 0; i < plan.rings.size(); ++i) {
-            const double along = plan.rings[i].along;
-            if (along >= bone / 64.0 && along <= (bone + 1) / 64.0) ++rings;
-        }
-        EXPECT_GT(rings, 0U) << bone;
+        EXPECT_TRUE(std::ranges::any_of(plan.rings.along(), [&](const double along) {
+            return along >= bone / 64.0 && along <= (bone + 1) / 64.0;
+        })) << bone;
     }
 }
 

@@ -40,6 +40,8 @@ class Rings {
     std::span<double> along() { return row(9); }
     std::span<double> half_widths() { return row(10); }
     std::span<double> half_thicknesses() { return row(11); }
+    std::span<const double> along() const { return row(9); }
+    std::span<const double> half_widths() const { return row(10); }
 
     void set(std::size_t i, const Ring& ring) {
         frames().set(i, ring.frame);
@@ -52,6 +54,7 @@ class Rings {
     static constexpr std::size_t kRows = 12;
 
     std::span<double> row(std::size_t k) { return std::span(rows_).subspan(k * count_, count_); }
+    std::span<const double> row(std::size_t k) const { return std::span(rows_).subspan(k * count_, count_); }
 
     std::size_t count_ = 0;
     std::vector<double> rows_;
