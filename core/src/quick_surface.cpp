@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "corners.hpp"
+#include "fetch_ahead.hpp"
 
 namespace tuftwave {
 namespace {
@@ -45,6 +46,7 @@ class RowWriter {
     template <class Fill>
     TUFTWAVE_BODY void write(const Fill& fill) {
         if (next_ + kRoom <= to_.size()) {
+            fetch_ahead(&to_[next_], kRoom * sizeof(float));
             fill(&to_[next_]);
         } else {
             std::array<float, kRoom> last;

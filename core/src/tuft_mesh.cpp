@@ -4,6 +4,7 @@
 #include <array>
 
 #include "corners.hpp"
+#include "fetch_ahead.hpp"
 #include "quick_surface.hpp"
 #include "ring_normals.hpp"
 #include "tuftwave/tuft.hpp"
@@ -120,6 +121,7 @@ TUFTWAVE_BODY void write_rows(Index* out, std::size_t rows, std::size_t sides, s
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const auto start = static_cast<Index>(first + i * row);
+        fetch_ahead(out, 6 * sides * sizeof(Index));
         for (std::size_t k = 0; k < 6 * sides; ++k) out[k] = static_cast<Index>(pattern[k] + start);
         out += 6 * sides;
     }
