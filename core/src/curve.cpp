@@ -146,23 +146,49 @@ void Curve::at_parts(std::span<const double> parts, double turn_worth, std::span
     }
 }
 
+/// The pieces that places lie on.
+struct Curve::Pieces {
+    TUFTWAVE_BODY static void take(const Curve& curve, std::span<const double> along,
+                                   std::span<const std::size_t> pieces, PlaceSearch& search) {
+        const std::size_t count = along.size();
+        for (std::size_t k = 0; k < count;) {
+            const std::size_t piece = pieces[k];
+            const Sample &a = curve.samples_[piece], &b = curve.samples_[piece + 1];
+            const Segment& bezier = curve.segments_[b.segment];
+            put(a, b, bezier, k, search);
+            const std::size_t run_end = std::min(k + PlaceSearch::kRun, count);
+            do {
+                search.wanted[k] = along[k] - a.along;
+                ++k;
+            } while (k < run_end && pieces[k] == piece);
+        }
+    }
+
+  private:
+    TUFTWAVE_BODY static void put(const Sample& a, const Sample& b, const Segment& bezier, std::size_t k,
+                                  PlaceSearch& search) {
+        constexpr std::size_t kRun = PlaceSearch::kRun;
+        const auto fill = [k](PlaceSearch::Row& row, double value) {
+            for (std::size_t j = k; j < k + kRun; ++j) row[j] = value;
+        };
+        search.start.fill(k, kRun, bezier.start);
+        search.constant.fill(k, kRun, bezier.constant);
+        search.linear.fill(k, kRun, bezier.linear);
+        search.quadratic.fill(k, kRun, bezier.quadratic);
+        fill(search.t0, b.from);
+        fill(search.t1, b.t);
+        fill(search.speed0, b.from_speed);
+        fill(search.speed1, b.speed);
+        fill(search.whole, b.along - a.along);
+        search.point.fill(k, kRun, a.frame.point);
+        search.tangent.fill(k, kRun, a.frame.tangent);
+        search.normal.fill(k, kRun, a.frame.normal);
+    }
+};
+
 void Curve::find(std::span<const double> along, std::span<const std::size_t> pieces, PlaceSearch& search) const {
     const std::size_t count = along.size();
-    for (std::size_t k = 0; k < count; ++k) {
-        const Sample &a = samples_[pieces[k]], &b = samples_[pieces[k] + 1];
-        const Segment& bezier = segments_[b.segment];
-        search.start.set(k, bezier.start);
-        search.constant.set(k, bezier.constant);
-        search.linear.set(k, bezier.linear);
-        search.quadratic.set(k, bezier.quadratic);
-        search.t0[k] = b.from;
-        search.t1[k] = b.t;
-        search.speed0[k] = b.from_speed;
-        search.speed1[k] = b.speed;
-        search.wanted[k] = along[k] - a.along;
-        search.whole[k] = b.along - a.along;
-        search.set_frame(k, a.frame);
-    }
+    run_with<Pieces::take>(vectors_, *this, along, pieces, search);
     search.find_parameters(count, vectors_);
     for (std::size_t k = 0; k < count; ++k) {
         if (search.missed[k] == 0 || !(search.whole[k] > 0)) continue;

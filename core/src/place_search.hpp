@@ -23,14 +23,23 @@ struct VectorRows {
         y[i] = v.y;
         z[i] = v.z;
     }
+    /// The same one `count` times.
+    TUFTWAVE_BODY void fill(std::size_t i, std::size_t count, const Vec3& v) {
+        for (std::size_t j = i; j < i + count; ++j) x[j] = v.x;
+        for (std::size_t j = i; j < i + count; ++j) y[j] = v.y;
+        for (std::size_t j = i; j < i + count; ++j) z[j] = v.z;
+    }
 };
 
 /// Places that are looked for on a curve by their arc length, all at once. Each lies on a piece of a Bezier segment,
 /// at whose start the frame is known.
 struct PlaceSearch {
     static constexpr std::size_t kMost = 64;
-    using Rows = VectorRows<kMost>;
-    using Row = std::array<double, kMost>;
+    /// Neighbours often lie on one piece: what they share is written to so many places at once, and the next piece's
+    /// overwrites what was too much. There is room for that behind the last place.
+    static constexpr std::size_t kRun = 2;
+    using Rows = VectorRows<kMost + kRun>;
+    using Row = std::array<double, kMost + kRun>;
 
     Rows start;                        ///< the segment's first point
     Rows constant, linear, quadratic;  ///< of its velocity

@@ -107,6 +107,7 @@ class Curve {
         CurveFrame frame;
     };
     struct FirstSamples;
+    struct Pieces;
 
     void make_segments(std::span<const Vec3> points);
     void measure();
