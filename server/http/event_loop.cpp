@@ -17,6 +17,7 @@
 #include "http/debt.hpp"
 #include "http/mailbox.hpp"
 #include "http/poller.hpp"
+#include "http/sockets.hpp"
 
 namespace tuftwave::server {
 namespace {
@@ -32,6 +33,8 @@ constexpr int kPiecesAtOnce = 8;  // of one connection, then it is the next one'
 constexpr std::size_t kFreeBytes = 64 * 1024;
 // Bytes that all connections and one of them may send before it is the next one's turn.
 constexpr std::size_t kSentInARound = 16 * 1024 * 1024, kLeastSent = 32 * 1024, kMostSent = 1024 * 1024;
+// Bytes that the system keeps unsent of all their answers and of one; of smaller ones all.
+constexpr std::size_t kUnsentOfAll = 64 * 1024 * 1024, kLeastUnsent = 64 * 1024, kMostUnsent = 2 * 1024 * 1024;
 
 }  // namespace
 
@@ -268,6 +271,9 @@ class EventLoop::Connections {
     /// @param message  counted among the answers
     bool send(Connection& connection, Message message, const bool closes) {
         connection.begin_writing(std::move(message), closes);
+        if (connection.unsent() > kLeastUnsent)
+            keep_unsent(connection.socket(),
+                        std::clamp(kUnsentOfAll / premises_.connections, kLeastUnsent, kMostUnsent));
         return write(connection);
     }
 

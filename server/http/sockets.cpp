@@ -13,8 +13,7 @@
 namespace tuftwave::server {
 namespace {
 
-constexpr int kMostUnsent = 512 * 1024;  // bytes that the system keeps of an answer before the client takes them
-constexpr int kBacklog = 1'024;          // with the usual 5 a burst of connections would wait a second and more
+constexpr int kBacklog = 1'024;  // with the usual 5 a burst of connections would wait a second and more
 
 /// @return  nothing, with errno, if it cannot be had
 Descriptor listening_on(const addrinfo& address) {
@@ -25,7 +24,6 @@ Descriptor listening_on(const addrinfo& address) {
     // server that then silently takes half of the requests.
     ::setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     ::setsockopt(socket.number(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);  // accepted sockets inherit it
-    ::setsockopt(socket.number(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsent, sizeof kMostUnsent);  // and this
     if (address.ai_family == AF_INET6) ::setsockopt(socket.number(), IPPROTO_IPV6, IPV6_V6ONLY, &no, sizeof no);
     if (::bind(socket.number(), address.ai_addr, address.ai_addrlen) != 0 || ::listen(socket.number(), kBacklog) != 0) {
         const int reason = errno;
@@ -58,6 +56,11 @@ std::variant<Descriptor, std::string> listen_on(const std::string& host, const i
         }
     }
     return "cannot listen on " + host + ":" + std::to_string(port) + ": " + reason;
+}
+
+void keep_unsent(const int socket, const std::size_t most) {
+    const auto bytes = static_cast<unsigned>(most);
+    ::setsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &bytes, sizeof bytes);
 }
 
 int port_of(const Descriptor& socket) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,6 +29,10 @@ class Descriptor {
 /// @param port  0 picks a free one
 /// @return  a listening socket that does not block, or why there is none
 std::variant<Descriptor, std::string> listen_on(const std::string& host, int port);
+
+/// Bytes that the system may keep of an answer before it is their turn to be sent: the more, the less often it has to
+/// ask for the next ones, and the more a slow client leaves with it. A hint.
+void keep_unsent(int socket, std::size_t most);
 
 /// The port that a socket is bound to.
 int port_of(const Descriptor& socket);

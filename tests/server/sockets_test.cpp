@@ -53,7 +53,22 @@ TEST(Sockets, AcceptingDoesNotWait) {
     char byte;
     EXPECT_EQ(::recv(accepted.socket.number(), &byte, 1, 0), -1) << "it does not block";
     EXPECT_EQ(option(accepted.socket, IPPROTO_TCP, TCP_NODELAY), 1);
-    EXPECT_EQ(option(accepted.socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT), 512 * 1024) << "what a slow client leaves";
+}
+
+TEST(Sockets, TheSystemKeepsLittleOfWhatASlowClientLeaves) {
+    constexpr std::size_t kAnswer = 8 * 1024 * 1024;
+    const std::string answer(kAnswer, 'x');
+    const Descriptor socket = listening();
+    const auto taken = [&](const std::size_t most) {
+        const Client client(port_of(socket));
+        const Accepted accepted = accept_from(socket);
+        keep_unsent(accepted.socket.number(), most);
+        return ::send(accepted.socket.number(), answer.data(), answer.size(), MSG_NOSIGNAL);
+    };
+    const ssize_t little = taken(64 * 1024), more = taken(2 * 1024 * 1024);
+    EXPECT_GT(little, 0);
+    EXPECT_GE(more, little + 1024 * 1024);
+    EXPECT_LT(more, static_cast<ssize_t>(kAnswer));
 }
 
 TEST(Sockets, KnowsWhenThereAreNoDescriptorsLeft) {
