@@ -37,7 +37,8 @@ constexpr std::array kOptions{
     Option{"body-memory", "", &Config::body_mib, 1, 65'536, "", "MiB",
            "Memory for the bodies of requests before large ones are refused"},
     Option{"answer-memory", "", &Config::answer_mib, 1, 65'536, "", "MiB",
-           "Memory for answers that clients have not taken yet before requests are refused"},
+           "Memory for answers that clients have not taken yet before requests are refused; up to half as much is kept "
+           "for a second, for the next answers"},
     Option{"deadline", "", &Config::deadline_seconds, 0.1, 600, "", "seconds",
            "How long a request may wait and compute"},
     Option{"drain", "", &Config::drain_seconds, 0, 60, "", "seconds",

@@ -18,6 +18,7 @@
 #include "exec/pool.hpp"
 #include "http/listener.hpp"
 #include "log/log.hpp"
+#include "memory/buffers.hpp"
 #include "memory/heap.hpp"
 #include "service/service.hpp"
 #include "version.hpp"
@@ -131,6 +132,7 @@ bool allow_descriptors(const rlim_t count) {
 int run(const Config& config) {
     const EndSignals signals;
     memory::set_up_heap();
+    memory::keep_at_most(static_cast<std::size_t>(config.answer_mib) * kMiB / 2);
     const auto opened = Access::open(config);
     if (const auto* error = std::get_if<UsageError>(&opened)) {
         std::fprintf(stderr, "tuftwave-server: %s\n", error->message.c_str());

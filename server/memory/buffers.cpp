@@ -25,8 +25,9 @@ struct Kept {
 };
 
 // One for the whole process, as the C library's own are: no answer depends on what is in it.
-std::mutex mutex;  // guards `all`; nothing is allocated or freed while it is held
+std::mutex mutex;  // guards what follows; nothing is allocated or freed while it is held
 std::array<Kept, 4> all;
+std::size_t most_kept = kUsuallyKept;
 
 std::size_t bytes_of(const Kept& kept) { return kept.is_free() ? 0 : kept.buffer.capacity(); }
 
@@ -85,9 +86,14 @@ void give_back(std::string buffer) noexcept {
     std::size_t bytes = buffer.capacity();
     for (const Kept& kept : all) bytes += bytes_of(kept);
     const auto place = std::find_if(all.begin(), all.end(), [](const Kept& kept) { return kept.is_free(); });
-    if (bytes > kMostKept || place == all.end()) return;
+    if (bytes > most_kept || place == all.end()) return;
     place->buffer = std::move(buffer);
     place->since = Clock::now();
+}
+
+void keep_at_most(const std::size_t bytes) noexcept {
+    const std::lock_guard lock(mutex);
+    most_kept = bytes;
 }
 
 void free_idle_buffers(const Clock::duration idle) noexcept {

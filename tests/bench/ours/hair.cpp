@@ -5,6 +5,7 @@
 #include "exec/pool.hpp"
 #include "measure.hpp"
 #include "memory.hpp"
+#include "memory/buffers.hpp"
 #include "work.hpp"
 
 namespace tuftwave::bench {
@@ -29,7 +30,16 @@ void measure_many(const Workloads& workloads) {
     const std::size_t bytes = hair_glb(hairstyle, merged_look(), InOrder()).bytes().size();
     print_value("many_bytes/tuftwave", static_cast<double>(bytes), "B");
     print_value("many_peak/tuftwave", peak_bytes() - before, "B");
-    measure("many/tuftwave", [&] { sent(hair_glb(hairstyle, merged_look(), InOrder())); });
+    const auto measure_with = [&](const char* name, const ForEach& for_each) {
+        measure(name, [&] { sent(hair_glb(hairstyle, merged_look(), for_each)); });
+    };
+    measure_with("many_fresh/tuftwave", InOrder());
+    server::memory::keep_at_most(2 * bytes);  // as a service with 4 GiB for answers
+    measure_with("many_one/tuftwave", InOrder());
+    if (std::thread::hardware_concurrency() > 1) {
+        server::Pool helper(1, 1);
+        measure_with("many/tuftwave", helper.for_each());
+    }
     measure_memory("many", bytes);
 }
 
