@@ -167,22 +167,18 @@ struct Curve::Pieces {
   private:
     TUFTWAVE_BODY static void put(const Sample& a, const Sample& b, const Segment& bezier, std::size_t k,
                                   PlaceSearch& search) {
-        constexpr std::size_t kRun = PlaceSearch::kRun;
-        const auto fill = [k](PlaceSearch::Row& row, double value) {
-            for (std::size_t j = k; j < k + kRun; ++j) row[j] = value;
-        };
-        search.start.fill(k, kRun, bezier.start);
-        search.constant.fill(k, kRun, bezier.constant);
-        search.linear.fill(k, kRun, bezier.linear);
-        search.quadratic.fill(k, kRun, bezier.quadratic);
-        fill(search.t0, b.from);
-        fill(search.t1, b.t);
-        fill(search.speed0, b.from_speed);
-        fill(search.speed1, b.speed);
-        fill(search.whole, b.along - a.along);
-        search.point.fill(k, kRun, a.frame.point);
-        search.tangent.fill(k, kRun, a.frame.tangent);
-        search.normal.fill(k, kRun, a.frame.normal);
+        search.put(search.start, k, bezier.start);
+        search.put(search.constant, k, bezier.constant);
+        search.put(search.linear, k, bezier.linear);
+        search.put(search.quadratic, k, bezier.quadratic);
+        search.put(search.t0, k, b.from);
+        search.put(search.t1, k, b.t);
+        search.put(search.speed0, k, b.from_speed);
+        search.put(search.speed1, k, b.speed);
+        search.put(search.whole, k, b.along - a.along);
+        search.put(search.point, k, a.frame.point);
+        search.put(search.tangent, k, a.frame.tangent);
+        search.put(search.normal, k, a.frame.normal);
     }
 };
 

@@ -23,12 +23,6 @@ struct VectorRows {
         y[i] = v.y;
         z[i] = v.z;
     }
-    /// The same one `count` times.
-    TUFTWAVE_BODY void fill(std::size_t i, std::size_t count, const Vec3& v) {
-        for (std::size_t j = i; j < i + count; ++j) x[j] = v.x;
-        for (std::size_t j = i; j < i + count; ++j) y[j] = v.y;
-        for (std::size_t j = i; j < i + count; ++j) z[j] = v.z;
-    }
 };
 
 /// Places that are looked for on a curve by their arc length, all at once. Each lies on a piece of a Bezier segment,
@@ -56,6 +50,16 @@ struct PlaceSearch {
         point.set(k, frame.point);
         tangent.set(k, frame.tangent);
         normal.set(k, frame.normal);
+    }
+
+    /// Writes what a piece has to the places from `k` on, as many as kRun.
+    TUFTWAVE_BODY static void put(Row& row, std::size_t k, double value) {
+        for (std::size_t j = k; j < k + kRun; ++j) row[j] = value;
+    }
+    TUFTWAVE_BODY static void put(Rows& rows, std::size_t k, const Vec3& v) {
+        put(rows.x, k, v.x);
+        put(rows.y, k, v.y);
+        put(rows.z, k, v.z);
     }
 
     /// Finds `t` of the first `count` places from guesses by cubic interpolation, in one or two steps of the third
