@@ -1,5 +1,6 @@
 // What a listener does with clients that are slow, too many or too large.
 #include <gtest/gtest.h>
+#include <netinet/tcp.h>
 
 #include <chrono>
 #include <memory>
@@ -17,6 +18,25 @@ ListenerOptions hasty() {
     ListenerOptions hasty = options();
     hasty.patience = {200ms, 200ms, 200ms, 200ms, 200ms, 200ms, 1'000'000'000};
     return hasty;
+}
+
+/// Bytes that the system keeps unsent for a client, at most. The server's end of its connection is in this process,
+/// too.
+std::size_t kept_unsent(const Client& client) {
+    sockaddr_in ours{}, peer{};
+    socklen_t size = sizeof ours;
+    EXPECT_EQ(::getsockname(client.socket(), reinterpret_cast<sockaddr*>(&ours), &size), 0);
+    for (int socket = 3; socket < 1'024; ++socket) {
+        size = sizeof peer;
+        if (::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &size) != 0) continue;
+        if (peer.sin_port != ours.sin_port || peer.sin_addr.s_addr != ours.sin_addr.s_addr) continue;
+        unsigned bytes = 0;
+        size = sizeof bytes;
+        EXPECT_EQ(::getsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &bytes, &size), 0);
+        return bytes;
+    }
+    ADD_FAILURE() << "nobody serves it";
+    return 0;
 }
 
 TEST(ListenerLimits, SlowRequestsAreCutOffInTheirTime) {
@@ -50,6 +70,25 @@ TEST(ListenerLimits, ClientThatTakesNoAnswerIsLeft) {
     while (served.listener().stats().answer_bytes == 0) std::this_thread::yield();
     while (served.listener().stats().connections != 0) std::this_thread::yield();
     EXPECT_EQ(served.listener().stats().answer_bytes, 0u);
+}
+
+TEST(ListenerLimits, TheSystemKeepsAShareOfALargeAnswerThatIsNotTaken) {
+    constexpr std::size_t kMebibyte = 1024 * 1024, kMany = 128;
+    ListenerOptions wide = options();
+    wide.connections = kMany;
+    const Served served(answering(echo), wide);
+    const auto kept = [&] {
+        const Client client(served.port());
+        client.say(head("GET /large"));
+        while (!client.has_heard()) std::this_thread::yield();
+        return kept_unsent(client);
+    };
+    EXPECT_EQ(kept(), 2 * kMebibyte);
+    while (served.listener().stats().connections > 0) std::this_thread::yield();
+    std::vector<std::unique_ptr<Client>> others;
+    while (others.size() + 1 < kMany) others.push_back(std::make_unique<Client>(served.port()));
+    while (served.listener().stats().connections + 1 < kMany) std::this_thread::yield();
+    EXPECT_EQ(kept(), 64 * kMebibyte / kMany);
 }
 
 TEST(ListenerLimits, OneConnectionTooManyIsToldSo) {

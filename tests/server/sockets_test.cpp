@@ -63,6 +63,7 @@ TEST(Sockets, TheSystemKeepsLittleOfWhatASlowClientLeaves) {
         const Client client(port_of(socket));
         const Accepted accepted = accept_from(socket);
         keep_unsent(accepted.socket.number(), most);
+        EXPECT_EQ(option(accepted.socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT), static_cast<int>(most));
         return ::send(accepted.socket.number(), answer.data(), answer.size(), MSG_NOSIGNAL);
     };
     const ssize_t little = taken(64 * 1024), more = taken(2 * 1024 * 1024);
